@@ -1,0 +1,20 @@
+# Writes into `folder` the header of named parameters as one file: the content of CGAL's own in the
+# place of the #include_next of this package's.
+function(smd_compose_overlay folder)
+  set(header CGAL/STL_Extension/internal/parameters_interface.h)
+  set(overlay ${PROJECT_SOURCE_DIR}/include/${header})
+  find_file(original ${header} PATHS ${CGAL_INCLUDE_DIRS} NO_DEFAULT_PATH NO_CACHE REQUIRED)
+
+  file(READ ${overlay} text)
+  file(READ ${original} original_text)
+  set(include_next "#pragma GCC system_header[^\n]*\n#include_next <${header}>\n")
+  string(REGEX MATCH "${include_next}" matched "${text}")
+  if(NOT matched)
+    message(FATAL_ERROR "${overlay} has no #include_next")
+  endif()
+  string(REPLACE "${matched}" "${original_text}" text "${text}")
+  file(WRITE ${folder}/overlay.tmp "${text}")
+  file(MAKE_DIRECTORY ${folder}/CGAL/STL_Extension/internal)
+  file(COPY_FILE ${folder}/overlay.tmp ${folder}/${header} ONLY_IF_DIFFERENT)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${overlay} ${original})
+endfunction()
