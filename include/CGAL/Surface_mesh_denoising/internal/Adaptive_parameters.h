@@ -1,0 +1,97 @@
+// Copyright (c) 2026  The Surface_mesh_denoising authors.
+// All rights reserved.
+//
+// This file is part of the CGAL-style package Surface_mesh_denoising.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_DENOISING_INTERNAL_ADAPTIVE_PARAMETERS_H
+#define CGAL_SURFACE_MESH_DENOISING_INTERNAL_ADAPTIVE_PARAMETERS_H
+
+#include <CGAL/license/Surface_mesh_denoising.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Surface_mesh_denoising {
+namespace internal {
+
+// All constants of adaptive fitting. Lengths are in mean edge lengths; `noise` stands for the noise level in mean edge
+// lengths. None of them belongs to a model: they hold for all meshes.
+struct Adaptive_parameters
+{
+  // what can be switched off
+  bool use_adaptive_neighborhoods = true;
+  bool use_adaptive_degree = true;
+  bool use_gentle_path = true;
+  bool preserve_volume = true;
+
+  // Below this the mesh counts as free of noise.
+  double negligible_noise = 1e-4;
+
+  // Noise whose residuals have a root mean square of more than so many times what their median tells of a normal
+  // distribution, as impulses have, counts for as much more, but for no more than so many times its root mean square.
+  double heavy_tail = 1.08;
+  double largest_tail = 10;                     // times the median: beyond, residuals are cut
+  double maximal_correction = 1.5;
+
+  // The pilot. The normal of a face is off by about twice the noise: the range of the filter starts a little above and
+  // shrinks with the noise that is left, so that first the noise goes and then the edges come out.
+  std::size_t pilot_number_of_steps = 14;
+  std::size_t pilot_number_of_moves = 3;
+  double pilot_first_range = 2.5;               // times noise
+  double pilot_last_range = 1;                  // times noise
+  double pilot_maximal_last_range = 0.3;
+
+  // The gentle path: wide ranges, which spare small detail as they tell little from noise, and many small steps.
+  double gentle_first_range = 6;                // times noise
+  double gentle_last_range = 3;                 // times noise
+  double gentle_range_steps = 4;                // the range reaches its last value in so many steps
+  double gentle_normal_growth = 0.625;          // step k filters the normals 1 + growth (noise k)^2 times
+  double gentle_move_growth = 1;                // and moves the vertices 2 + growth noise k times
+  std::size_t gentle_maximal_growth = 7;
+  double largest_range = 1.5;
+  // The path is cut into bands at these steps. The first, the finest, hold so much noise that only the whole mesh tells
+  // what else they hold.
+  static constexpr std::size_t number_of_local_bands = 4;
+  std::array<std::size_t, 3> global_band_ends = {{ 1, 2, 4 }};
+  std::array<std::size_t, number_of_local_bands> local_band_ends = {{ 6, 9, 13, 19 }};
+
+  // Patches
+  double normal_weight = 150;
+  std::array<std::size_t, 10> patch_sizes{{12, 18, 27, 40, 60, 90, 135, 200, 300, 450}}; // faces
+  std::size_t fixed_patch_size = 40;            // where sizes are not adaptive
+  std::size_t least_number_of_points = 8;
+  double patch_extent = 14;                     // a length of about the radius of a patch, in distances of centroids
+  double degree_threshold = 4;                  // a quadric takes this gain in squared residuals, in noise^2
+  double pilot_noise = 0.3;                     // what is left of the noise in the pilot's points, times noise
+  double pilot_correlation = 6;                 // about so many neighbors share it
+  double hopeless_risk = 2;                     // a patch stops growing when its risk is so many times the least
+  std::size_t least_cover = 8;                  // patches over each face
+  std::size_t number_of_rounds = 8;             // in which seeds are chosen
+  double tangential_weight = 0.01;              // holds a vertex in the directions that its patches leave free
+  std::size_t final_number_of_moves = 3;
+
+  // Mixing. Local sums run over a window made by averaging over neighbors again and again.
+  std::size_t window_number_of_averages = 80;
+  double window_points_per_average = 6.2;       // the window then has about so many points for each average
+  double gentle_penalty = 3;                    // how far local weights keep to that of the whole mesh
+  double patch_penalty = 4;
+  std::size_t number_of_sharpenings = 3;        // of the weight between the two estimates
+
+  // Faces that face against their surroundings
+  std::size_t unfolding_number_of_rounds = 10;
+  double unfolding_area = 4;                    // faces that are larger, times noise^2, are let alone
+  double unfolding_flatness = 0.85;             // the cosine of the largest angle at a vertex that may move
+  double unfolding_cosine = 0.1;                // that of the largest angle of a face afterwards
+  double unfolding_reach = 3;                   // times noise
+
+  std::size_t volume_number_of_rounds = 2;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_denoising
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_DENOISING_INTERNAL_ADAPTIVE_PARAMETERS_H

@@ -1,0 +1,376 @@
+// Copyright (c) 2026  The Surface_mesh_denoising authors.
+// All rights reserved.
+//
+// This file is part of the CGAL-style package Surface_mesh_denoising.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_DENOISING_INTERNAL_PATCH_BLEND_H
+#define CGAL_SURFACE_MESH_DENOISING_INTERNAL_PATCH_BLEND_H
+
+#include <CGAL/license/Surface_mesh_denoising.h>
+
+#include <CGAL/Surface_mesh_denoising/Indexed_triangle_mesh.h>
+#include <CGAL/Surface_mesh_denoising/internal/Adaptive_parameters.h>
+#include <CGAL/Surface_mesh_denoising/internal/Face_geometry.h>
+#include <CGAL/Surface_mesh_denoising/internal/Local_numbering.h>
+#include <CGAL/Surface_mesh_denoising/internal/Neighborhood_search.h>
+#include <CGAL/Surface_mesh_denoising/internal/Patch_fit.h>
+#include <CGAL/Surface_mesh_denoising/internal/normals.h>
+#include <CGAL/Surface_mesh_denoising/internal/parallel.h>
+#include <CGAL/Surface_mesh_denoising/internal/sine_key.h>
+
+#include <CGAL/tags.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_denoising {
+namespace internal {
+
+// Covers the mesh with overlapping patches, surfaces fitted to anisotropic neighborhoods, and blends them.
+//
+// Neighborhoods grow over the pilot, whose normals know the edges, while the surfaces fit the observed points, which
+// the pilot has not bent. Each patch has the size and the degree of its own that promise the least error.
+template <typename ConcurrencyTag>
+class Patch_blend
+{
+  typedef Indexed_triangle_mesh::Index      Index;
+  typedef Indexed_triangle_mesh::Point_3    Point_3;
+  typedef Indexed_triangle_mesh::Vector_3   Vector_3;
+
+public:
+  // `mesh` holds the pilot's points, `noise` is in the unit of the coordinates. Keeps references
+  Patch_blend(const Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed,
+              const std::vector<bool>& is_movable, const double noise, const double mean_edge_length,
+              const Adaptive_parameters& parameters)
+    : m_mesh(mesh), m_observed(observed), m_is_movable(is_movable), m_parameters(parameters),
+      m_geometry(mesh, ConcurrencyTag()), m_mean_edge_length(mean_edge_length),
+      m_extent(parameters.patch_extent * m_geometry.mean_centroid_distance()),
+      m_squared_noise((std::max)(noise * noise, 1e-16 * mean_edge_length * mean_edge_length)),
+      m_cover(mesh.number_of_faces(), 0), m_normal_sums(mesh.number_of_faces(), Vector_3(0, 0, 0)),
+      m_vertex_sums(mesh.number_of_vertices())
+  {
+    std::vector<double> areas;
+    compute_face_normals<ConcurrencyTag>(mesh, m_normals, areas);
+    if(!(m_extent > 0))
+      return;
+
+    std::vector<std::array<Dual_edge, 3> > dual_edges;
+    const Indexed_dual_graph dual(mesh, m_normals, parameters.normal_weight, dual_edges, ConcurrencyTag());
+    compute_keys();
+    std::vector<Index> seeds;
+    for(std::size_t round=0; round<parameters.number_of_rounds; ++round)
+    {
+      choose_seeds(round == 0, seeds);
+      if(seeds.empty())
+        break;
+      add_patches(dual, seeds);
+    }
+    m_keys = std::vector<double>();
+  }
+
+  // the normals of the patches that cover each face, blended; those of the pilot where there are none
+  std::vector<Vector_3> face_normals() const
+  {
+    std::vector<Vector_3> normals(m_normals.size());
+    for_each_index<ConcurrencyTag>(normals.size(), [&](const std::size_t f)
+    { normals[f] = normalized_or(m_normal_sums[f], m_normals[f]); });
+    return normals;
+  }
+
+  // Each vertex where the squared distances to the patches that cover it are least, by their weights. Where they leave
+  // a direction free, and where there are no patches, it stays with the pilot
+  std::vector<Point_3> points() const
+  {
+    std::vector<Point_3> points(m_mesh.points());
+    for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
+    {
+      const Vertex_sum& s = m_vertex_sums[v];
+      if(!m_is_movable[v] || !(s.weight > 0))
+        return;
+      Eigen::Matrix3d matrix;
+      matrix << s.m[0], s.m[1], s.m[2],
+                s.m[1], s.m[3], s.m[4],
+                s.m[2], s.m[4], s.m[5];
+      matrix /= s.weight;
+      const Vector_3 move = points[v] - m_observed[v];
+      const Eigen::Vector3d pilot(move.x(), move.y(), move.z());
+      const Eigen::Vector3d rhs(s.rhs.x(), s.rhs.y(), s.rhs.z());
+      const Eigen::Vector3d residual = rhs / s.weight - matrix * pilot;
+      matrix.diagonal().array() += m_parameters.tangential_weight;
+      const Eigen::Vector3d d = matrix.llt().solve(residual);
+      if(d.allFinite())
+        points[v] = points[v] + Vector_3(d[0], d[1], d[2]);
+    });
+    return points;
+  }
+
+private:
+  typedef Neighborhood_search<Indexed_dual_graph> Search;
+
+  // what a patch says of a face and of a vertex
+  struct Face_term
+  {
+    Index face;
+    Vector_3 weighted_normal;
+  };
+
+  struct Vertex_term
+  {
+    Index vertex;
+    double weight;
+    Vector_3 normal;
+    double distance; // of the surface from the observed point, along the normal
+  };
+
+  struct Patch
+  {
+    std::vector<Face_term> faces;
+    std::vector<Vertex_term> vertices;
+  };
+
+  // the sum of weight (n n^T), of weight distance n, and of the weights
+  struct Vertex_sum
+  {
+    std::array<double, 6> m = {{ 0, 0, 0, 0, 0, 0 }};
+    Vector_3 rhs = Vector_3(0, 0, 0);
+    double weight = 0;
+
+    void add(const Vertex_term& t)
+    {
+      const Vector_3& n = t.normal;
+      const Vector_3 wn = t.weight * n;
+      m[0] += wn.x() * n.x();
+      m[1] += wn.x() * n.y();
+      m[2] += wn.x() * n.z();
+      m[3] += wn.y() * n.y();
+      m[4] += wn.y() * n.z();
+      m[5] += wn.z() * n.z();
+      rhs += t.distance * wn;
+      weight += t.weight;
+    }
+  };
+
+  // Computes patches; one for each thread
+  class Worker
+  {
+  public:
+    Worker(const Patch_blend& blend, const Indexed_dual_graph& dual)
+      : m_blend(blend), m_search(dual), m_fit(blend.m_parameters, blend.m_squared_noise)
+    {}
+
+    void operator()(const Index seed, Patch& patch)
+    {
+      patch.faces.clear();
+      patch.vertices.clear();
+      const Vector_3& axis = m_blend.m_normals[seed];
+      if(is_null(axis))
+        return;
+      m_frame = Patch_frame(m_blend.m_geometry.centroid(seed), axis, m_blend.m_extent);
+      const auto& faces = grow(seed);
+      if(m_fit.best().number_of_faces != 0)
+        list_terms(faces, patch);
+    }
+
+  private:
+    // the faces of the patch come first
+    const std::vector<typename Search::Neighbor>& grow(const Index seed)
+    {
+      const Adaptive_parameters& parameters = m_blend.m_parameters;
+      const Indexed_triangle_mesh& mesh = m_blend.m_mesh;
+      m_fit.clear();
+      m_points.clear();
+      m_numbering.clear();
+
+      const bool is_adaptive = parameters.use_adaptive_neighborhoods;
+      const std::size_t largest = is_adaptive ? parameters.patch_sizes.back() : parameters.fixed_patch_size;
+      auto next_size = parameters.patch_sizes.begin();
+      std::size_t size = 0, fitted_size = 0;
+      const auto& faces = m_search(seed, (std::min)(largest, mesh.number_of_faces()),
+                                   [&](const typename Search::Neighbor& neighbor)
+      {
+        const std::size_t rank = m_points.size(); // the vertices of one face come in no order
+        for(const Index v : mesh.vertices(neighbor.face))
+          if(m_numbering.insert(v).second)
+          {
+            const Point_3& p = m_blend.m_observed[v];
+            const Patch_point q = { v, rank, m_frame.u(p), m_frame.v(p), m_frame.height(p) };
+            m_points.push_back(q);
+            m_fit.insert(q.u, q.v, q.height, m_frame.height(mesh.point(v)));
+          }
+        ++size;
+        if(!is_adaptive || size < *next_size)
+          return true;
+        ++next_size;
+        fitted_size = size;
+        return m_fit.update(size);
+      });
+      if(fitted_size == 0) // a fixed size, or the faces ended before the least one
+        m_fit.update(size);
+      return faces;
+    }
+
+    void list_terms(const std::vector<typename Search::Neighbor>& faces, Patch& patch) const
+    {
+      const Patch_surface& surface = m_fit.best();
+      const double squared_noise = m_blend.m_squared_noise;
+      const double squared_edge_length = m_blend.m_mean_edge_length * m_blend.m_mean_edge_length;
+
+      // Weights are those of the inverse squared error, and fall towards the rim. Where the surface leaves the fit by a
+      // bias, the slopes do so by that over a length of about half the radius.
+      const double slope_bias = 4 * surface.squared_bias
+                              / (0.2 * double(surface.number_of_faces) * squared_edge_length)
+                              + 2e-6 * squared_noise / squared_edge_length;
+      const double slope_unit = squared_noise / (m_blend.m_extent * m_blend.m_extent);
+      const double height_bias = surface.squared_bias + 1e-3 * squared_noise;
+      const auto taper = [](const std::size_t k, const std::size_t n) { return 1.02 - double(k) / double(n); };
+
+      for(std::size_t k=0; k<surface.number_of_faces; ++k)
+      {
+        const Index f = faces[k].face;
+        const Point_3& c = m_blend.m_geometry.centroid(f);
+        const double u = m_frame.u(c), v = m_frame.v(c);
+        const Vector_3 n = surface.normal(m_frame, u, v);
+        const double weight = taper(k, surface.number_of_faces)
+                            / ((slope_unit * surface.variance_of_slopes(u, v) + slope_bias)
+                               * std::sqrt(n.squared_length()));
+        patch.faces.push_back(Face_term{ f, weight * n });
+      }
+      for(std::size_t k=0; k<surface.number_of_points; ++k)
+      {
+        const Patch_point& q = m_points[k];
+        const Vector_3 n = surface.normal(m_frame, q.u, q.v);
+        const double cosine = 1 / std::sqrt(n.squared_length());
+        const double weight = taper(q.rank, surface.number_of_points)
+                            / (squared_noise * surface.variance_of_height(q.u, q.v) + height_bias);
+        patch.vertices.push_back(Vertex_term{ q.vertex, weight, cosine * n,
+                                              cosine * (surface.height(q.u, q.v) - q.height) });
+      }
+    }
+
+    struct Patch_point
+    {
+      Index vertex;
+      std::size_t rank;
+      double u, v, height;
+    };
+
+    const Patch_blend& m_blend;
+    Search m_search;
+    Patch_fit m_fit;
+    Patch_frame m_frame;
+    Local_numbering<Index> m_numbering;
+    std::vector<Patch_point> m_points;
+  };
+
+  // the key of a face: what the pilot moved its vertices, scrambled
+  void compute_keys()
+  {
+    m_keys.resize(m_mesh.number_of_faces());
+    for_each_index<ConcurrencyTag>(m_keys.size(), [&](const std::size_t f)
+    {
+      double length = 0;
+      bool has_movable_vertex = false;
+      for(const Index v : m_mesh.vertices(f))
+      {
+        length += std::sqrt(squared_distance(m_observed[v], m_mesh.point(v)));
+        has_movable_vertex = has_movable_vertex || m_is_movable[v];
+      }
+      // what has no vertex to move needs no patches
+      m_keys[f] = has_movable_vertex ? sine_key(length / m_mean_edge_length) : 2;
+    });
+  }
+
+  // In the first round the faces with the least key among all around them, about one in thirteen; then, among those that
+  // too few patches cover, the faces with the least key of their neighbors. No order of the faces plays a part.
+  void choose_seeds(const bool is_first_round, std::vector<Index>& seeds)
+  {
+    const auto is_candidate = [&](const std::size_t f)
+    { return m_keys[f] <= 1 && m_cover[f] < m_parameters.least_cover; };
+    std::vector<std::uint8_t> is_seed(m_mesh.number_of_faces());
+    for_each_index<ConcurrencyTag>(is_seed.size(), [&](const std::size_t f)
+    {
+      const auto gives_way_to = [&](const Index g)
+      {
+        return g != Indexed_triangle_mesh::null_index() && is_candidate(g) && m_keys[g] < m_keys[f];
+      };
+      const auto around = m_mesh.faces_around_face(f);
+      const auto& neighbors = m_mesh.neighbors(f);
+      is_seed[f] = is_candidate(f)
+                && !(is_first_round ? std::any_of(around.begin(), around.end(), gives_way_to)
+                                    : std::any_of(neighbors.begin(), neighbors.end(), gives_way_to));
+    });
+    seeds.clear();
+    for(std::size_t f=0; f<is_seed.size(); ++f)
+      if(is_seed[f])
+        seeds.push_back(Index(f));
+  }
+
+  // Patches are computed in parallel, some at a time, and added up in the order of their seeds
+  void add_patches(const Indexed_dual_graph& dual, const std::vector<Index>& seeds)
+  {
+    const std::size_t number_at_a_time = std::is_convertible<ConcurrencyTag, Parallel_tag>::value ? 512 : 1;
+    const std::size_t grain_size = 16;
+    std::vector<Patch> patches(number_at_a_time);
+    Worker worker(*this, dual);
+    for(std::size_t first=0; first<seeds.size(); first+=number_at_a_time)
+    {
+      const std::size_t n = (std::min)(number_at_a_time, seeds.size() - first);
+      if(n == 1)
+        worker(seeds[first], patches[0]);
+      else
+        for_each_block<ConcurrencyTag>(n, [&](const std::size_t begin, const std::size_t end)
+        {
+          Worker own_worker(*this, dual);
+          for(std::size_t i=begin; i<end; ++i)
+            own_worker(seeds[first + i], patches[i]);
+        }, grain_size);
+
+      for(std::size_t i=0; i<n; ++i)
+      {
+        for(const Face_term& t : patches[i].faces)
+        {
+          m_normal_sums[t.face] += t.weighted_normal;
+          m_cover[t.face] += (m_cover[t.face] < m_parameters.least_cover);
+        }
+        for(const Vertex_term& t : patches[i].vertices)
+          m_vertex_sums[t.vertex].add(t);
+      }
+    }
+    // a seed without a fit will not get one
+    for(const Index f : seeds)
+      if(m_cover[f] == 0)
+        m_keys[f] = 2;
+  }
+
+  const Indexed_triangle_mesh& m_mesh;
+  const std::vector<Point_3>& m_observed;
+  const std::vector<bool>& m_is_movable;
+  const Adaptive_parameters& m_parameters;
+  Face_geometry m_geometry;
+  double m_mean_edge_length;
+  double m_extent;
+  double m_squared_noise;
+
+  std::vector<Vector_3> m_normals;
+  std::vector<double> m_keys;
+  std::vector<std::uint8_t> m_cover;
+  std::vector<Vector_3> m_normal_sums;
+  std::vector<Vertex_sum> m_vertex_sums;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_denoising
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_DENOISING_INTERNAL_PATCH_BLEND_H

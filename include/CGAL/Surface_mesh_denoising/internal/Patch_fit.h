@@ -1,0 +1,212 @@
+// Copyright (c) 2026  The Surface_mesh_denoising authors.
+// All rights reserved.
+//
+// This file is part of the CGAL-style package Surface_mesh_denoising.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_DENOISING_INTERNAL_PATCH_FIT_H
+#define CGAL_SURFACE_MESH_DENOISING_INTERNAL_PATCH_FIT_H
+
+#include <CGAL/license/Surface_mesh_denoising.h>
+
+#include <CGAL/Surface_mesh_denoising/Indexed_triangle_mesh.h>
+#include <CGAL/Surface_mesh_denoising/internal/Adaptive_parameters.h>
+#include <CGAL/Surface_mesh_denoising/internal/surface_fit.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Surface_mesh_denoising {
+namespace internal {
+
+// The frame of a patch: heights over a tangent plane, whose coordinates are in units of `extent`
+struct Patch_frame
+{
+  typedef Indexed_triangle_mesh::Point_3    Point_3;
+  typedef Indexed_triangle_mesh::Vector_3   Vector_3;
+
+  Point_3 origin;
+  Vector_3 axis;
+  std::array<Vector_3, 2> tangents; // divided by the extent
+
+  Patch_frame() {}
+  Patch_frame(const Point_3& origin, const Vector_3& axis, const double extent)
+    : origin(origin), axis(axis), tangents(tangent_frame(axis))
+  {
+    for(Vector_3& t : tangents)
+      t = t / extent;
+  }
+
+  double u(const Point_3& p) const { return (p - origin) * tangents[0]; }
+  double v(const Point_3& p) const { return (p - origin) * tangents[1]; }
+  double height(const Point_3& p) const { return (p - origin) * axis; }
+};
+
+// A plane or a quadric h(u,v) = c0 + c1 u + c2 v + c3 u^2 + c4 uv + c5 v^2 over the plane of a patch, with the
+// covariance of its coefficients in units of the squared noise of the points
+struct Patch_surface
+{
+  typedef Eigen::Matrix<double, 6, 1>       Vector;
+  typedef Indexed_triangle_mesh::Vector_3   Vector_3;
+
+  Vector coefficients = Vector::Zero();
+  Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
+  double risk = std::numeric_limits<double>::infinity(); // mean squared error expected
+  double squared_bias = 0;                               // the share of it that is not noise
+  std::size_t number_of_faces = 0, number_of_points = 0;
+
+  static Vector monomials(const double u, const double v) { return (Vector() << 1, u, v, u*u, u*v, v*v).finished(); }
+
+  double height(const double u, const double v) const { return coefficients.dot(monomials(u, v)); }
+
+  double variance_of_height(const double u, const double v) const
+  {
+    const Vector m = monomials(u, v);
+    return m.dot(covariance * m);
+  }
+
+  // the sum of the variances of the two slopes, in units of the extent
+  double variance_of_slopes(const double u, const double v) const
+  {
+    const Vector du = (Vector() << 0, 1, 0, 2*u, v, 0).finished(), dv = (Vector() << 0, 0, 1, 0, u, 2*v).finished();
+    return du.dot(covariance * du) + dv.dot(covariance * dv);
+  }
+
+  // a vector along the normal, whose component along the axis of the frame is one
+  Vector_3 normal(const Patch_frame& frame, const double u, const double v) const
+  {
+    const Vector& c = coefficients;
+    return frame.axis - (c[1] + 2*c[3]*u + c[4]*v) * frame.tangents[0] - (c[2] + c[4]*u + 2*c[5]*v) * frame.tangents[1];
+  }
+};
+
+// Fits planes and quadrics to a growing set of points, and keeps the one with the least risk.
+//
+// Coefficients are those that fit the observed points best; what they are worth is told by the pilot's points, which
+// hold much less noise and so show sooner where the surface leaves the fit.
+class Patch_fit
+{
+  typedef Indexed_triangle_mesh::Point_3    Point_3;
+  typedef Patch_surface::Vector             Vector;
+  typedef Eigen::Matrix<double, 6, 6>       Matrix;
+
+public:
+  Patch_fit(const Adaptive_parameters& parameters, const double squared_noise)
+    : m_parameters(parameters), m_squared_noise(squared_noise)
+  {}
+
+  void clear()
+  {
+    m_matrix.setZero();
+    m_rhs.setZero();
+    m_pilot_rhs.setZero();
+    m_squared_heights = m_squared_pilot_heights = 0;
+    m_number_of_points = 0;
+    m_best = Patch_surface();
+  }
+
+  const Patch_surface& best() const { return m_best; }
+
+  void insert(const double u, const double v, const double height, const double pilot_height)
+  {
+    const Vector m = Patch_surface::monomials(u, v);
+    m_matrix.selfadjointView<Eigen::Lower>().rankUpdate(m);
+    m_rhs += height * m;
+    m_pilot_rhs += pilot_height * m;
+    m_squared_heights += height * height;
+    m_squared_pilot_heights += pilot_height * pilot_height;
+    ++m_number_of_points;
+  }
+
+  // fits the points so far, those of so many faces, and returns whether more of them may improve the fit
+  bool update(const std::size_t number_of_faces)
+  {
+    if(m_number_of_points < m_parameters.least_number_of_points)
+      return true;
+
+    // the leading block of the factor belongs to the plane
+    const Eigen::LLT<Matrix> llt(m_matrix);
+    const auto is_regular = [&](const int size)
+    {
+      // a pivot is the squared distance of a column from the span of those before it
+      return (llt.matrixLLT().diagonal().head(size).array().square()
+              > 1e-8 * m_matrix.diagonal().head(size).array()).all();
+    };
+    const bool has_quadric = llt.info() == Eigen::Success && is_regular(6);
+    if(!has_quadric && !is_regular(3))
+      return true;
+
+    const Vector reduced = has_quadric ? Vector(llt.matrixL().solve(m_rhs)) : Vector(Vector::Zero());
+    const Eigen::Matrix3d plane_factor = llt.matrixLLT().topLeftCorner<3, 3>();
+    const Eigen::Vector3d plane_reduced
+      = plane_factor.triangularView<Eigen::Lower>().solve(Eigen::Vector3d(m_rhs.head<3>()));
+
+    // the quadric must be worth its three further coefficients
+    const double gain = has_quadric ? reduced.tail<3>().squaredNorm() : 0;
+    const bool is_plane = !has_quadric || (m_parameters.use_adaptive_degree
+                                           && gain < m_parameters.degree_threshold * m_squared_noise);
+    Vector c = Vector::Zero();
+    if(is_plane)
+      c.head<3>() = plane_factor.triangularView<Eigen::Lower>().transpose().solve(plane_reduced);
+    else
+      c = llt.matrixU().solve(reduced);
+    if(!c.allFinite())
+      return true;
+
+    // The misfit to the pilot, less what the noise that the pilot holds would explain with some certainty, is bias
+    const double n = double(m_number_of_points);
+    const double pilot_variance = m_parameters.pilot_noise * m_parameters.pilot_noise * m_squared_noise;
+    const double misfit = m_squared_pilot_heights - 2 * c.dot(m_pilot_rhs)
+                        + c.dot(m_matrix.selfadjointView<Eigen::Lower>() * c);
+    const double explained
+      = pilot_variance * (n - std::sqrt(2 * m_parameters.pilot_correlation * n));
+    const double squared_bias = (std::max)(0., misfit - explained) / n;
+    const double risk = squared_bias + (is_plane ? 3 : 6) * m_squared_noise / n;
+    if(!(risk < m_best.risk))
+      return risk <= m_parameters.hopeless_risk * m_best.risk;
+
+    m_best.coefficients = c;
+    m_best.risk = risk;
+    m_best.squared_bias = squared_bias;
+    m_best.number_of_faces = number_of_faces;
+    m_best.number_of_points = m_number_of_points;
+    m_best.covariance.setZero();
+    if(is_plane)
+    {
+      Eigen::Matrix3d inverse = Eigen::Matrix3d::Identity();
+      plane_factor.triangularView<Eigen::Lower>().solveInPlace(inverse);
+      m_best.covariance.topLeftCorner<3, 3>() = inverse.transpose() * inverse;
+    }
+    else
+    {
+      Matrix inverse = Matrix::Identity();
+      llt.matrixL().solveInPlace(inverse);
+      m_best.covariance = inverse.transpose() * inverse;
+    }
+    return true;
+  }
+
+private:
+  const Adaptive_parameters& m_parameters;
+  double m_squared_noise;
+
+  Matrix m_matrix; // the lower triangle
+  Vector m_rhs, m_pilot_rhs;
+  double m_squared_heights, m_squared_pilot_heights;
+  std::size_t m_number_of_points;
+  Patch_surface m_best;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_denoising
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_DENOISING_INTERNAL_PATCH_FIT_H

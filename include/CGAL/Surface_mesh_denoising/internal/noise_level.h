@@ -1,0 +1,185 @@
+// Copyright (c) 2026  The Surface_mesh_denoising authors.
+// All rights reserved.
+//
+// This file is part of the CGAL-style package Surface_mesh_denoising.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_DENOISING_INTERNAL_NOISE_LEVEL_H
+#define CGAL_SURFACE_MESH_DENOISING_INTERNAL_NOISE_LEVEL_H
+
+#include <CGAL/license/Surface_mesh_denoising.h>
+
+#include <CGAL/Surface_mesh_denoising/Indexed_triangle_mesh.h>
+#include <CGAL/Surface_mesh_denoising/internal/Vertex_neighbors.h>
+#include <CGAL/Surface_mesh_denoising/internal/normals.h>
+#include <CGAL/Surface_mesh_denoising/internal/parallel.h>
+#include <CGAL/Surface_mesh_denoising/internal/surface_fit.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_denoising {
+namespace internal {
+
+// The height of the first of `points` above the quadric that fits the others best, as seen along `axis`, divided by
+// the root of its variance in units of that of the points: so noise of the standard deviation s gives a residual of
+// the standard deviation s. Not a number where the points determine no quadric.
+inline double leave_one_out_residual(const std::vector<Indexed_triangle_mesh::Point_3>& points,
+                                     const Indexed_triangle_mesh::Vector_3& axis)
+{
+  typedef Indexed_triangle_mesh::Vector_3 Vector_3;
+  typedef Eigen::Matrix<double, 6, 6> Matrix;
+  typedef Eigen::Matrix<double, 6, 1> Vector;
+
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  double radius = 0;
+  for(const Indexed_triangle_mesh::Point_3& p : points)
+    radius = (std::max)(radius, squared_distance(p, points[0]));
+  radius = std::sqrt(radius);
+  if(!(radius > 0) || is_null(axis))
+    return unknown;
+
+  const std::array<Vector_3, 2> tangents = tangent_frame(axis);
+  Matrix matrix = Matrix::Zero();
+  Vector rhs = Vector::Zero();
+  for(std::size_t i=1; i<points.size(); ++i)
+  {
+    const Vector_3 d = (points[i] - points[0]) / radius;
+    const double u = d * tangents[0], v = d * tangents[1];
+    const Vector monomials = (Vector() << u*u, u*v, v*v, u, v, 1).finished();
+    matrix.selfadjointView<Eigen::Lower>().rankUpdate(monomials);
+    rhs += (d * axis) * monomials;
+  }
+  const Eigen::LLT<Matrix> llt(matrix);
+  if(llt.info() != Eigen::Success
+     || !(llt.matrixLLT().diagonal().array().square() > 1e-8 * matrix.diagonal().array()).all())
+    return unknown;
+  const Vector weights = llt.solve(Vector::Unit(5)); // the height of the fit at the first point: weights . rhs
+  return -radius * weights.dot(rhs) / std::sqrt(1 + weights[5]);
+}
+
+// the median of the absolute values of a normal distribution, in standard deviations
+const double median_of_normal_distribution = 0.6745;
+
+inline double median_of_absolutes(const std::vector<double>& values, const std::vector<bool>& counts)
+{
+  std::vector<double> absolutes;
+  for(std::size_t i=0; i<values.size(); ++i)
+    if(counts[i] && std::isfinite(values[i]))
+      absolutes.push_back(std::abs(values[i]));
+  if(absolutes.empty())
+    return 0;
+  const auto middle = absolutes.begin() + absolutes.size() / 2;
+  std::nth_element(absolutes.begin(), middle, absolutes.end());
+  return *middle;
+}
+
+// The standard deviation of the noise along the normals, from the vertices that count, in the unit of the coordinates.
+// A quadric is fitted to the two rings around each vertex, without the vertex itself. What the vertex stands out is
+// noise, and shape that is no quadric. Shape is smoother than noise: taking the mean of the neighbors' residuals away,
+// again and again, leaves less of it, so the least of the estimates is the best. Medians keep edges out.
+template <typename ConcurrencyTag>
+double noise_level(const Indexed_triangle_mesh& mesh, const Vertex_neighbors& neighbors,
+                   const std::vector<bool>& counts)
+{
+  typedef Indexed_triangle_mesh::Index      Index;
+  typedef Indexed_triangle_mesh::Point_3    Point_3;
+  typedef Indexed_triangle_mesh::Vector_3   Vector_3;
+
+  // The medians that white noise of the standard deviation one gives: the first is that of a normal distribution, the
+  // others vary by some percent with the triangulation.
+  const std::array<double, 3> medians_of_white_noise = {{ median_of_normal_distribution, 0.838, 1.09 }};
+  const std::size_t least_number_of_points = 9, most_number_of_points = 64;
+
+  std::vector<Vector_3> vertex_normals;
+  compute_vertex_normals<ConcurrencyTag>(mesh, vertex_normals);
+
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> residuals(mesh.number_of_vertices(), unknown);
+  for_each_block<ConcurrencyTag>(residuals.size(), [&](const std::size_t first, const std::size_t last)
+  {
+    std::vector<Index> ring;
+    std::vector<Point_3> points;
+    for(std::size_t v=first; v<last; ++v)
+    {
+      if(neighbors.is_at_border(v))
+        continue;
+      ring.assign(1, Index(v));
+      std::size_t end = 1;
+      for(std::size_t k=0; k<end && ring.size()<=most_number_of_points; ++k)
+      {
+        for(const Index w : neighbors(ring[k]))
+        {
+          if(std::find(ring.begin(), ring.end(), w) == ring.end())
+            ring.push_back(w);
+          if(ring.size() > most_number_of_points)
+            break;
+        }
+        if(k == 0)
+          end = ring.size();
+      }
+      if(ring.size() < least_number_of_points || ring.size() > most_number_of_points)
+        continue;
+      points.clear();
+      Vector_3 axis(0, 0, 0);
+      for(const Index w : ring)
+      {
+        points.push_back(mesh.point(w));
+        axis += vertex_normals[w];
+      }
+      residuals[v] = leave_one_out_residual(points, normalized_or_null(axis));
+    }
+  });
+
+  double level = std::numeric_limits<double>::infinity();
+  std::vector<double> without_mean(residuals.size());
+  for(std::size_t i=0; ; ++i)
+  {
+    level = (std::min)(level, median_of_absolutes(residuals, counts) / medians_of_white_noise[i]);
+    if(i + 1 == medians_of_white_noise.size())
+      return level;
+    for_each_index<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
+    {
+      double sum = 0;
+      std::size_t number = 0;
+      for(const Index w : neighbors(v))
+        if(std::isfinite(residuals[w]))
+        {
+          sum += residuals[w];
+          ++number;
+        }
+      without_mean[v] = (number > 0) ? residuals[v] - sum / double(number) : residuals[v];
+    });
+    residuals.swap(without_mean);
+  }
+}
+
+// Noise along the normals lengthens the edges, by the factor that the difference of two normal deviates makes in the
+// mean: E sqrt(1 + 2 level^2 z^2), by a quadrature of three nodes. These two take a level in mean edge lengths of the
+// surface without the noise to one in mean edge lengths of the noisy mesh, and back.
+inline double in_noisy_edge_lengths(const double level)
+{
+  return 3 * level / (2 + std::sqrt(1 + 6 * level * level));
+}
+
+inline double in_smooth_edge_lengths(const double level)
+{
+  // where nothing but noise makes the edges, the equation has no solution
+  const double r = (std::min)(level, 1.2);
+  return r * (2 + std::sqrt(1 + 2 * r * r)) / (3 - 2 * r * r);
+}
+
+} // namespace internal
+} // namespace Surface_mesh_denoising
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_DENOISING_INTERNAL_NOISE_LEVEL_H
