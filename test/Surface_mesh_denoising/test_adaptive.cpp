@@ -1,0 +1,508 @@
+// Copyright (c) 2026  The Surface_mesh_denoising authors.
+// All rights reserved.
+//
+// This file is part of the CGAL-style package Surface_mesh_denoising.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The adaptive method, which denoise_anisotropic_fitting() runs without parameters, and the noise estimate.
+
+#include <CGAL/Surface_mesh_denoising/denoise_anisotropic_fitting.h>
+#include <CGAL/Surface_mesh_denoising/estimate_noise_level.h>
+#include <CGAL/Surface_mesh_denoising/measure_error.h>
+
+#include "test_meshes.h"
+
+#include <CGAL/Aff_transformation_3.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/transform.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace models = generated_models;
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+namespace {
+
+Mesh denoised(Mesh mesh)
+{
+  SMD::denoise_anisotropic_fitting(mesh);
+  return mesh;
+}
+
+template <typename NamedParameters>
+Mesh denoised(Mesh mesh, const NamedParameters& np)
+{
+  SMD::denoise_anisotropic_fitting(mesh, np);
+  return mesh;
+}
+
+double error(const Mesh& mesh, const Mesh& truth) { return SMD::angular_error(mesh, truth).mean; }
+
+Mesh plane()
+{
+  const int n = 60;
+  Mesh mesh;
+  for(int i=0; i<=n; ++i)
+    for(int j=0; j<=n; ++j)
+      mesh.add_vertex(Point(i, j, 0));
+  const auto at = [](const int i, const int j) { return Vertex(i * (n + 1) + j); };
+  for(int i=0; i<n; ++i)
+    for(int j=0; j<n; ++j)
+    {
+      mesh.add_face(at(i, j), at(i+1, j), at(i+1, j+1));
+      mesh.add_face(at(i, j), at(i+1, j+1), at(i, j+1));
+    }
+  return mesh;
+}
+
+CGAL::Aff_transformation_3<Kernel> rotation_and_shift()
+{
+  const double a = 0.7, b = 1.1;
+  return CGAL::Aff_transformation_3<Kernel>(
+    std::cos(a), -std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), 3.5,
+    std::sin(a), std::cos(a) * std::cos(b), -std::cos(a) * std::sin(b), -2.25,
+    0., std::sin(b), std::cos(b), 7.125);
+}
+
+// the same surface with other numbers for vertices and faces; `vertex[i]` is the new number of vertex i
+Mesh renumbered(const Mesh& mesh, std::vector<std::size_t>& vertex)
+{
+  std::mt19937 random(5);
+  vertex.resize(num_vertices(mesh));
+  for(std::size_t i=0; i<vertex.size(); ++i)
+    vertex[i] = i;
+  std::shuffle(vertex.begin(), vertex.end(), random);
+  std::vector<Face> faces(mesh.faces().begin(), mesh.faces().end());
+  std::shuffle(faces.begin(), faces.end(), random);
+
+  std::vector<Point> points(vertex.size());
+  for(const Vertex v : mesh.vertices())
+    points[vertex[std::size_t(v)]] = mesh.point(v);
+  Mesh result;
+  for(const Point& p : points)
+    result.add_vertex(p);
+  for(const Face f : faces)
+  {
+    const auto t = vertices_of(mesh, f);
+    result.add_face(Vertex(std::uint32_t(vertex[std::size_t(t[1])])), Vertex(std::uint32_t(vertex[std::size_t(t[2])])),
+                    Vertex(std::uint32_t(vertex[std::size_t(t[0])])));
+  }
+  return result;
+}
+
+struct Counting_visitor
+{
+  std::size_t last = std::numeric_limits<std::size_t>::max();
+  std::size_t number_of_calls = 0, number_of_converged = 0;
+  bool displacements_are_positive = true;
+  std::function<void(std::size_t)> see = [](std::size_t) {};
+
+  bool iteration_completed(const std::size_t iteration, const double largest_displacement, const bool has_converged)
+  {
+    ++number_of_calls;
+    EXPECT_EQ(iteration, number_of_calls);
+    number_of_converged += has_converged;
+    displacements_are_positive = displacements_are_positive && largest_displacement > 0;
+    see(iteration);
+    return iteration < last;
+  }
+};
+
+// ---- the noise level
+
+TEST(Estimate_noise_level, Is_that_of_the_noise)
+{
+  std::vector<std::pair<Mesh, double> > cases; // the share by which the estimate may be off
+  cases.emplace_back(plane(), 0.1);
+  cases.emplace_back(irregular_mesh(models::sphere, 6000), 0.1);
+  cases.emplace_back(irregular_mesh(models::torus, 6000), 0.1);
+  cases.emplace_back(irregular_mesh(models::cad_part, 10000), 0.15);
+  for(const auto& c : cases)
+    for(const double level : {0.1, 0.3, 0.5})
+      for(const unsigned int seed : {1, 2})
+        EXPECT_NEAR(SMD::estimate_noise_level(with_noise(c.first, level, seed)), level, c.second * level);
+}
+
+TEST(Estimate_noise_level, Knows_surfaces_without_noise)
+{
+  EXPECT_LT(SMD::estimate_noise_level(plane()), 1e-12);
+  EXPECT_LT(SMD::estimate_noise_level(irregular_mesh(models::cube, 5000)), 1e-12);
+  EXPECT_LT(SMD::estimate_noise_level(irregular_mesh(models::sphere, 5000)), 1e-3);
+}
+
+TEST(Estimate_noise_level, Does_not_depend_on_numbers_position_and_scale)
+{
+  const Mesh mesh = noisy_mesh(models::cad_part, 4000, 0.2);
+  const double level = SMD::estimate_noise_level(mesh);
+  std::vector<std::size_t> vertex;
+  EXPECT_NEAR(SMD::estimate_noise_level(renumbered(mesh, vertex)), level, 1e-9);
+  Mesh moved = mesh;
+  PMP::transform(rotation_and_shift(), moved);
+  EXPECT_NEAR(SMD::estimate_noise_level(moved), level, 1e-9);
+  Mesh scaled = mesh;
+  PMP::transform(CGAL::Aff_transformation_3<Kernel>(CGAL::SCALING, 1e-5), scaled);
+  EXPECT_NEAR(SMD::estimate_noise_level(scaled), level, 1e-9);
+}
+
+TEST(Estimate_noise_level, Leaves_constrained_vertices_out)
+{
+  const Mesh smooth = irregular_mesh(models::sphere, 5000);
+  Mesh mesh = with_noise(smooth, 0.2);
+  auto constrained = mesh.add_property_map<Vertex, bool>("v:constrained", false).first;
+  for(const Vertex v : mesh.vertices())
+    if(smooth.point(v).z() < 0.3)
+    {
+      mesh.point(v) = smooth.point(v);
+      constrained[v] = true;
+    }
+  EXPECT_LT(SMD::estimate_noise_level(mesh), 0.1);
+  EXPECT_NEAR(SMD::estimate_noise_level(mesh, params::vertex_is_constrained_map(constrained)), 0.2, 0.03);
+}
+
+TEST(Estimate_noise_level, Is_zero_where_nothing_can_be_told)
+{
+  Mesh triangle;
+  EXPECT_EQ(SMD::estimate_noise_level(triangle), 0);
+  triangle.add_face(triangle.add_vertex(Point(0, 0, 0)), triangle.add_vertex(Point(1, 0, 0)),
+                    triangle.add_vertex(Point(0, 1, 0)));
+  EXPECT_EQ(SMD::estimate_noise_level(triangle), 0);
+  Mesh point = triangle;
+  for(const Vertex v : point.vertices())
+    point.point(v) = Point(1, 1, 1);
+  EXPECT_EQ(SMD::estimate_noise_level(point), 0);
+}
+
+// ---- quality
+
+TEST(Adaptive_fitting, Meshes_without_noise_come_back)
+{
+  for(const models::Generator& g : models::all())
+  {
+    models::Options options;
+    options.number_of_vertices = 5000;
+    options.triangles = models::Triangles::IRREGULAR;
+    const Mesh mesh = models::to_mesh<Mesh>(g.generate(options));
+    EXPECT_LT(error(denoised(mesh), mesh), 0.5) << g.name;
+  }
+  // planes all over: not a vertex moves
+  const Mesh cube = irregular_mesh(models::cube, 5000);
+  EXPECT_EQ(points_of(denoised(cube)), points_of(cube));
+}
+
+TEST(Adaptive_fitting, Is_better_than_the_iterative_method)
+{
+  for(const Model_generator model : {models::cube, models::sphere, models::cad_part, models::organic_shape})
+    for(const double level : {0.2, 0.5})
+    {
+      const Mesh truth = irregular_mesh(model, 6000), noisy = with_noise(truth, level);
+      const Mesh result = denoised(noisy);
+      EXPECT_LT(error(result, truth), 0.8 * error(denoised(noisy, Anisotropic_parameters().named()), truth));
+      EXPECT_NEAR(PMP::volume(result) / PMP::volume(truth), 1, 0.003);
+    }
+}
+
+TEST(Adaptive_fitting, Planes_and_edges_come_out_exactly)
+{
+  const Mesh truth = irregular_mesh(models::cube, 8000);
+  const Mesh result = denoised(with_noise(truth, 0.3));
+  EXPECT_LT(error(result, truth), 1);
+  EXPECT_EQ(SMD::angular_error(result, truth).number_of_flipped_faces, 0u);
+}
+
+TEST(Adaptive_fitting, Impulses_go)
+{
+  const Mesh truth = irregular_mesh(models::cad_part, 8000);
+  Mesh noisy = truth;
+  SMD::add_noise(noisy, params::noise_level(0.5).noise_share(0.2).random_seed(1));
+  EXPECT_LT(error(denoised(noisy), truth), 0.15 * error(noisy, truth));
+}
+
+// ---- what may not matter
+
+TEST(Adaptive_fitting, Numbers_do_not_matter)
+{
+  const Mesh mesh = noisy_mesh(models::cad_part, 4000, 0.3);
+  std::vector<std::size_t> vertex;
+  const Mesh result = denoised(mesh), other = denoised(renumbered(mesh, vertex));
+  double largest = 0;
+  for(const Vertex v : mesh.vertices())
+    largest = (std::max)(largest, distance(result.point(v), other.point(Vertex(std::uint32_t(vertex[std::size_t(v)])))));
+  EXPECT_LT(largest, 1e-4 * mean_edge_length(mesh));
+}
+
+TEST(Adaptive_fitting, Position_and_unit_do_not_matter)
+{
+  const Mesh mesh = noisy_mesh(models::cut_sphere, 4000, 0.3);
+  const Mesh result = denoised(mesh);
+  for(const auto& map : { rotation_and_shift(), CGAL::Aff_transformation_3<Kernel>(CGAL::SCALING, 3e7) })
+  {
+    Mesh moved_first = mesh, moved_last = result;
+    PMP::transform(map, moved_first);
+    PMP::transform(map, moved_last);
+    EXPECT_LT(largest_distance(denoised(moved_first), moved_last), 1e-4 * mean_edge_length(moved_last));
+  }
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST(Adaptive_fitting, Threads_do_not_matter)
+{
+  for(const Model_generator model : {models::cad_part, models::saddle})
+  {
+    const Mesh mesh = noisy_mesh(model, 8000, 0.3);
+    Mesh sequential = mesh, parallel = mesh;
+    SMD::denoise_anisotropic_fitting<CGAL::Sequential_tag>(sequential);
+    SMD::denoise_anisotropic_fitting<CGAL::Parallel_tag>(parallel);
+    EXPECT_EQ(points_of(sequential), points_of(parallel));
+    EXPECT_EQ(SMD::estimate_noise_level<CGAL::Sequential_tag>(mesh),
+              SMD::estimate_noise_level<CGAL::Parallel_tag>(mesh));
+  }
+}
+#endif
+
+// ---- parameters
+
+TEST(Adaptive_fitting, Any_parameter_of_the_iterative_method_chooses_it)
+{
+  const Mesh mesh = noisy_mesh(models::cad_part, 1500, 0.2);
+  const Mesh iterative = denoised(mesh, Anisotropic_parameters().named());
+  EXPECT_EQ(points_of(denoised(mesh, params::number_of_iterations(30))), points_of(iterative));
+  EXPECT_EQ(points_of(denoised(mesh, params::convergence_threshold(0.05))), points_of(iterative));
+  EXPECT_EQ(points_of(denoised(mesh, params::neighborhood_size(40))), points_of(iterative));
+  EXPECT_EQ(points_of(denoised(mesh, params::normal_weight(200))), points_of(iterative));
+  EXPECT_EQ(points_of(denoised(mesh, params::angle_threshold(0.5))), points_of(iterative));
+  EXPECT_EQ(points_of(denoised(mesh, params::normal_exponent(4))), points_of(iterative));
+  EXPECT_EQ(points_of(denoised(mesh, params::number_of_normal_iterations(5))), points_of(iterative));
+  EXPECT_EQ(points_of(denoised(mesh, params::relaxation_factor(0.5))), points_of(iterative));
+  EXPECT_EQ(points_of(denoised(mesh, params::face_normal_filter(SMD::Thresholded_normal_filter(0.5, 4)))),
+            points_of(iterative));
+  EXPECT_NE(points_of(denoised(mesh)), points_of(iterative));
+}
+
+TEST(Adaptive_fitting, Each_switch_has_an_effect)
+{
+  const Mesh truth = irregular_mesh(models::cad_part, 6000), noisy = with_noise(truth, 0.4);
+  const double best = error(denoised(noisy), truth);
+  EXPECT_GT(error(denoised(noisy, params::use_adaptive_neighborhoods(false)), truth), 1.1 * best);
+
+  // planes are fitted best by planes
+  const Mesh cube = irregular_mesh(models::cube, 6000), noisy_cube = with_noise(cube, 0.4);
+  EXPECT_GT(error(denoised(noisy_cube, params::use_adaptive_degree(false)), cube),
+            1.1 * error(denoised(noisy_cube), cube));
+
+  const Mesh volume_kept = denoised(noisy), volume_free = denoised(noisy, params::preserve_volume(false));
+  EXPECT_LT(std::abs(PMP::volume(volume_kept) - PMP::volume(noisy)),
+            0.5 * std::abs(PMP::volume(volume_free) - PMP::volume(noisy)));
+
+  const Mesh detail = irregular_mesh(models::organic_shape, 6000), noisy_detail = with_noise(detail, 0.3);
+  EXPECT_LT(error(denoised(noisy_detail), detail),
+            0.97 * error(denoised(noisy_detail, params::use_gentle_path(false)), detail));
+}
+
+TEST(Adaptive_fitting, The_noise_level_can_be_given)
+{
+  const Mesh truth = irregular_mesh(models::organic_shape, 4000), noisy = with_noise(truth, 0.2);
+  EXPECT_EQ(points_of(denoised(noisy, params::noise_level(0.))), points_of(noisy));
+  const auto moved = [&](const double level)
+  { return largest_distance(denoised(noisy, params::noise_level(level)), noisy); };
+  EXPECT_LT(moved(0.02), 0.5 * moved(0.2));
+  for(const double level : {-0.1, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW(denoised(noisy, params::noise_level(level)), std::invalid_argument);
+}
+
+TEST(Adaptive_fitting, Constrained_vertices_stay)
+{
+  Mesh mesh = noisy_mesh(models::cad_part, 4000, 0.3);
+  auto constrained = mesh.add_property_map<Vertex, bool>("v:constrained", false).first;
+  for(const Vertex v : mesh.vertices())
+    constrained[v] = mesh.point(v).x() < 2;
+  const Mesh result = denoised(mesh, params::vertex_is_constrained_map(constrained));
+  std::size_t number_of_moved = 0, number_of_movable = 0;
+  for(const Vertex v : mesh.vertices())
+  {
+    if(constrained[v])
+    {
+      EXPECT_EQ(result.point(v), mesh.point(v));
+    }
+    number_of_movable += !constrained[v];
+    number_of_moved += (result.point(v) != mesh.point(v));
+  }
+  EXPECT_EQ(number_of_moved, number_of_movable);
+}
+
+TEST(Adaptive_fitting, The_range_moves_alone)
+{
+  Mesh mesh = noisy_mesh(models::sphere, 4000, 0.3);
+  const Mesh noisy = mesh;
+  std::vector<Vertex> range;
+  for(const Vertex v : mesh.vertices())
+    if(mesh.point(v).z() > 0.5)
+      range.push_back(v);
+  SMD::denoise_anisotropic_fitting(range, mesh);
+  std::size_t number_of_moved = 0;
+  for(const Vertex v : mesh.vertices())
+    number_of_moved += (noisy.point(v) != mesh.point(v));
+  EXPECT_EQ(number_of_moved, range.size());
+}
+
+TEST(Adaptive_fitting, Neighborhoods_do_not_cross_constrained_edges)
+{
+  // a crease that noise hides: without the constraint it is rounded
+  Mesh truth = plane();
+  for(const Vertex v : truth.vertices())
+    truth.point(v) = Point(truth.point(v).x(), truth.point(v).y(), 0.22 * std::abs(truth.point(v).x() - 30));
+  Mesh noisy = with_noise(truth, 0.4);
+  auto constrained = noisy.add_property_map<Edge, bool>("e:constrained", false).first;
+  for(const Edge e : noisy.edges())
+    constrained[e] = truth.point(noisy.vertex(e, 0)).x() == 30 && truth.point(noisy.vertex(e, 1)).x() == 30;
+  EXPECT_LT(error(denoised(noisy, params::edge_is_constrained_map(constrained)), truth), error(denoised(noisy), truth));
+}
+
+TEST(Adaptive_fitting, The_visitor_sees_each_iteration)
+{
+  const Mesh noisy = noisy_mesh(models::cad_part, 2000, 0.3);
+  Mesh mesh = noisy;
+  Counting_visitor visitor;
+  const SMD::Denoising_result result = SMD::denoise_anisotropic_fitting(mesh, params::visitor(std::ref(visitor)));
+  EXPECT_GT(visitor.number_of_calls, 2u);
+  EXPECT_EQ(visitor.number_of_calls, result.number_of_iterations);
+  EXPECT_EQ(visitor.number_of_converged, 1u);
+  EXPECT_TRUE(visitor.displacements_are_positive);
+  EXPECT_TRUE(result.has_converged);
+
+  // the pilot grows better from step to step
+  double last_error = std::numeric_limits<double>::infinity();
+  const Mesh truth = irregular_mesh(models::cad_part, 2000);
+  for(const std::size_t last : {1, 3, 6})
+  {
+    Mesh early = noisy;
+    Counting_visitor ending;
+    ending.last = last;
+    const SMD::Denoising_result ended = SMD::denoise_anisotropic_fitting(early, params::visitor(std::ref(ending)));
+    EXPECT_EQ(ended.number_of_iterations, last);
+    EXPECT_FALSE(ended.has_converged);
+    EXPECT_LT(error(early, truth), last_error);
+    last_error = error(early, truth);
+  }
+}
+
+TEST(Adaptive_fitting, An_exception_leaves_the_mesh_as_it_was)
+{
+  const Mesh noisy = noisy_mesh(models::cad_part, 1000, 0.3);
+  for(const std::size_t iteration : {1, 15})
+  {
+    Mesh mesh = noisy;
+    Counting_visitor visitor;
+    visitor.see = [&](const std::size_t i) { if(i == iteration) throw std::runtime_error("enough"); };
+    EXPECT_THROW(SMD::denoise_anisotropic_fitting(mesh, params::visitor(std::ref(visitor))), std::runtime_error);
+    EXPECT_EQ(points_of(mesh), points_of(noisy));
+  }
+}
+
+TEST(Adaptive_fitting, Normals_are_those_of_the_result)
+{
+  for(const Model_generator model : {models::cad_part, models::organic_shape})
+  {
+    Mesh mesh = noisy_mesh(model, 5000, 0.2);
+    auto face_normals = mesh.add_property_map<Face, Vector>("f:normal", Vector(0, 0, 0)).first;
+    auto vertex_normals = mesh.add_property_map<Vertex, Vector>("v:normal", Vector(0, 0, 0)).first;
+    SMD::denoise_anisotropic_fitting(mesh, params::face_normal_map(face_normals).vertex_normal_map(vertex_normals));
+    double sum = 0;
+    for(const Face f : mesh.faces())
+    {
+      EXPECT_NEAR(face_normals[f].squared_length(), 1, 1e-12);
+      sum += angle_between(face_normals[f], normal_of(mesh, f));
+    }
+    EXPECT_LT(sum / double(num_faces(mesh)), 2);
+    for(const Vertex v : mesh.vertices())
+      EXPECT_NEAR(vertex_normals[v].squared_length(), 1, 1e-12);
+  }
+}
+
+// ---- bad and small meshes
+
+TEST(Adaptive_fitting, Tiny_meshes_stay_finite)
+{
+  Mesh empty;
+  SMD::denoise_anisotropic_fitting(empty);
+
+  Mesh mesh;
+  const Vertex a = mesh.add_vertex(Point(0, 0, 0)), b = mesh.add_vertex(Point(1, 0, 0)),
+               c = mesh.add_vertex(Point(0, 1, 0.1)), d = mesh.add_vertex(Point(0.1, 0, 1));
+  mesh.add_vertex(Point(5, 5, 5)); // isolated
+  mesh.add_face(a, c, b);
+  for(int i=0; i<2; ++i)
+  {
+    for(const double level : {0.01, 0.3, 100.})
+    {
+      const Mesh result = denoised(mesh, params::noise_level(level));
+      EXPECT_TRUE(has_finite_points(result));
+      EXPECT_EQ(result.point(Vertex(4)), mesh.point(Vertex(4)));
+    }
+    mesh.add_face(a, b, d); // a tetrahedron the second time
+    mesh.add_face(b, c, d);
+    mesh.add_face(c, a, d);
+  }
+}
+
+TEST(Adaptive_fitting, Degenerate_faces_and_duplicate_points_stay_finite)
+{
+  const Mesh noisy = noisy_mesh(models::cad_part, 2000, 0.3);
+  std::mt19937 random(3);
+  Mesh mesh = noisy;
+  for(const Face f : mesh.faces())
+    if(random() % 20 == 0)
+    {
+      const auto t = vertices_of(mesh, f);
+      mesh.point(t[1]) = mesh.point(t[0]);
+      if(random() % 2 == 0)
+        mesh.point(t[2]) = mesh.point(t[0]);
+    }
+  EXPECT_TRUE(has_finite_points(denoised(mesh)));
+
+  Mesh flat = noisy; // on a line, and on a point
+  for(const Vertex v : flat.vertices())
+    flat.point(v) = Point(flat.point(v).x(), 0, 0);
+  EXPECT_TRUE(has_finite_points(denoised(flat, params::noise_level(0.3))));
+  for(const Vertex v : flat.vertices())
+    flat.point(v) = Point(1, 2, 3);
+  EXPECT_EQ(points_of(denoised(flat, params::noise_level(0.3))), points_of(flat));
+}
+
+TEST(Adaptive_fitting, Noise_alone_stays_finite)
+{
+  std::mt19937 random(4);
+  Mesh mesh = irregular_mesh(models::sphere, 2000);
+  const auto coordinate = [&]() { return double(random()) / double(random.max()); };
+  for(const Vertex v : mesh.vertices())
+    mesh.point(v) = Point(coordinate(), coordinate(), coordinate());
+  EXPECT_TRUE(has_finite_points(denoised(mesh)));
+}
+
+TEST(Adaptive_fitting, A_vertex_with_very_many_faces_stays_finite)
+{
+  const std::uint32_t n = 20000;
+  Mesh mesh;
+  const Vertex hub = mesh.add_vertex(Point(0, 0, 1));
+  std::mt19937 random(6);
+  for(std::uint32_t i=0; i<n; ++i)
+  {
+    const double angle = 2 * models::pi * i / n, radius = 1 + 1e-4 * (double(random()) / double(random.max()));
+    mesh.add_vertex(Point(radius * std::cos(angle), radius * std::sin(angle), 0));
+  }
+  for(std::uint32_t i=0; i<n; ++i)
+    mesh.add_face(hub, Vertex(1 + i), Vertex(1 + (i+1) % n));
+  EXPECT_TRUE(has_finite_points(denoised(mesh, params::noise_level(0.1))));
+}
+
+} // namespace
