@@ -431,7 +431,7 @@ typedef testing::Types<CGAL::Surface_mesh<CGAL::Simple_cartesian<float>::Point_3
                        CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>,
                        CGAL::Polyhedron_3<Kernel>,
                        CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3> > Other_meshes;
-TYPED_TEST_SUITE(Add_noise_to, Other_meshes);
+TYPED_TEST_SUITE(Add_noise_to, Other_meshes, );
 
 TYPED_TEST(Add_noise_to, any_mesh_gives_the_same_noise)
 {
