@@ -122,7 +122,7 @@ class Figures:
 
         models = ('cad_part', 'cut_sphere', 'organic_shape')
         ablation = []
-        for stage in ('none', 'use_adaptive_neighborhoods', 'use_adaptive_degree', 'use_gentle_path', 'preserve_volume'):
+        for stage in ('none', 'use_adaptive_neighborhoods', 'use_adaptive_degree', 'use_gentle_path', 'unfold_faces', 'preserve_volume'):
             errors = [self.errors[f'ablation_{model}_{stage}'] for model in models]
             ablation.append(['all stages' if stage == 'none' else f'without `{stage}`'] +
                             [f'{e[0]:.2f}' for e in errors] + [f'{e[1]:.3f}' for e in errors] + [f'{e[3]:.2f}' for e in errors])

@@ -80,6 +80,7 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
     = choose_parameter(get_parameter(np, internal_np::use_adaptive_neighborhoods), true);
   adaptive.use_adaptive_degree = choose_parameter(get_parameter(np, internal_np::use_adaptive_degree), true);
   adaptive.use_gentle_path = choose_parameter(get_parameter(np, internal_np::use_gentle_path), true);
+  adaptive.unfold_faces = choose_parameter(get_parameter(np, internal_np::unfold_faces), true);
   adaptive.preserve_volume = choose_parameter(get_parameter(np, internal_np::preserve_volume), true);
 
   double noise_level = -1;
@@ -111,8 +112,9 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 * - A <em>gentle path</em>, many small steps with wide ranges, makes a second result that spares small detail. Stein's unbiased risk
 *   estimate tells, from the noisy mesh alone, how much of what the path took away was shape, and which result is closer to the
 *   true surface in each part of the mesh. The two are mixed accordingly.
-* - The surface is offset until the points as they were given are on average neither outside nor inside, which keeps the
-*   <em>volume</em>.
+* - Where noise across the normals has turned faces against the faces around them, their vertices slide along the surface until the
+*   faces are <em>unfolded</em>. Turned faces that are large beside the noise count as part of the shape.
+* - The surface is offset until it encloses the <em>volume</em> that it did before, which noise leaves as it is, on average.
 * A mesh without noise comes back as it is.
 *
 * If any of the parameters of the iterative method is given, that method runs, with its other parameters at their defaults: each
@@ -173,6 +175,11 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *     \cgalParamType{Boolean}
 *     \cgalParamDefault{`true`}
 *     \cgalParamExtra{Without it, the run takes about half the time, and organic shapes lose detail.}
+*   \cgalParamNEnd
+*   \cgalParamNBegin{unfold_faces}
+*     \cgalParamDescription{Adaptive method: whether vertices slide along the surface where noise has turned faces against the faces around them.}
+*     \cgalParamType{Boolean}
+*     \cgalParamDefault{`true`}
 *   \cgalParamNEnd
 *   \cgalParamNBegin{preserve_volume}
 *     \cgalParamDescription{Adaptive method: whether the surface is offset in the end to keep the volume.}

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_denoising/Denoising_result.h>
 #include <CGAL/Surface_mesh_denoising/Indexed_triangle_mesh.h>
 #include <CGAL/Surface_mesh_denoising/internal/Adaptive_parameters.h>
+#include <CGAL/Surface_mesh_denoising/internal/Face_unfolding.h>
 #include <CGAL/Surface_mesh_denoising/internal/Gentle_estimate.h>
 #include <CGAL/Surface_mesh_denoising/internal/Normal_evolution.h>
 #include <CGAL/Surface_mesh_denoising/internal/Patch_blend.h>
@@ -23,7 +24,6 @@
 #include <CGAL/Surface_mesh_denoising/internal/normals.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
 #include <CGAL/Surface_mesh_denoising/internal/sine_key.h>
-#include <CGAL/Surface_mesh_denoising/internal/unfold_faces.h>
 
 #include <algorithm>
 #include <array>
@@ -37,7 +37,7 @@ namespace Surface_mesh_denoising {
 namespace internal {
 
 // Anisotropic surface fitting that chooses for itself: noise level -> pilot -> patches, and beside them a gentle path
-// -> mixing -> volume. Each stage knows only what the ones before it hand on.
+// -> mixing -> unfolding -> volume. Each stage knows only what the ones before it hand on.
 template <typename ConcurrencyTag>
 class Adaptive_fitting
 {
@@ -98,13 +98,16 @@ public:
 
     if(m_parameters.use_gentle_path)
     {
+      std::vector<Vector_3> normals;
+      compute_vertex_normals<ConcurrencyTag>(mesh, normals);
       const Gentle_estimate gentle
-        = estimate_gently<ConcurrencyTag>(mesh, observed, is_movable, neighbors,
+        = estimate_gently<ConcurrencyTag>(mesh, observed, is_movable, neighbors, normals,
                                           make_disturbances(mesh, observed, is_movable), m_noise, m_mean_edge_length,
                                           m_parameters);
-      mix(mesh, observed, neighbors, gentle);
+      mix(mesh, observed, normals, neighbors, gentle);
     }
-    unfold_faces<ConcurrencyTag>(mesh, is_movable, neighbors, m_noise, m_parameters);
+    if(m_parameters.unfold_faces)
+      Face_unfolding<ConcurrencyTag>(mesh, is_movable, neighbors, m_noise, m_parameters).run();
     if(m_parameters.preserve_volume)
       keep_volume<ConcurrencyTag>(mesh, observed, is_movable, m_parameters.volume_number_of_rounds);
 
@@ -179,16 +182,15 @@ private:
     return true;
   }
 
-  // along the normals of the mesh, with the standard deviation of the noise
-  std::vector<Vector_3> make_disturbances(const Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed,
-                                          const std::vector<bool>& is_movable) const
+  // lengths along the normals, with the standard deviation of the noise
+  std::vector<double> make_disturbances(const Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed,
+                                        const std::vector<bool>& is_movable) const
   {
-    std::vector<Vector_3> disturbances;
-    compute_vertex_normals<ConcurrencyTag>(mesh, disturbances);
+    std::vector<double> disturbances(observed.size());
     for_each_index<ConcurrencyTag>(disturbances.size(), [&](const std::size_t v)
     {
       const double length = std::sqrt(squared_distance(mesh.point(v), observed[v])) / m_mean_edge_length;
-      disturbances[v] = (is_movable[v] ? std::sqrt(2.) * m_noise * sine_key(length) : 0) * disturbances[v];
+      disturbances[v] = is_movable[v] ? std::sqrt(2.) * m_noise * sine_key(length) : 0;
     });
     return disturbances;
   }
@@ -201,23 +203,34 @@ private:
       const Patch_blend<ConcurrencyTag> blend(mesh, observed, is_movable, m_noise, m_mean_edge_length, m_parameters);
       m_face_normals = blend.face_normals();
       points = blend.points();
+      m_leverages = blend.leverages();
     }
     mesh.swap_points(points);
     Normal_evolution<ConcurrencyTag>().move_to_agree(mesh, is_movable, m_face_normals,
                                                      m_parameters.final_number_of_moves);
   }
 
+  // the covariance of the noise and the result of the patches at vertex `v`
+  double patch_noise_share(const std::size_t v) const
+  {
+    const double l = m_leverages[v];
+    return (l + m_parameters.adaptation_factor * (std::max)(0., l - m_parameters.unadapted_leverage))
+         * m_noise * m_noise;
+  }
+
   // Patches are best where the surface is made of smooth pieces, the gentle estimate where it is full of detail
-  void mix(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed, const Vertex_neighbors& neighbors,
-           const Gentle_estimate& gentle)
+  void mix(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed, const std::vector<Vector_3>& normals,
+           const Vertex_neighbors& neighbors, const Gentle_estimate& gentle)
   {
     const std::size_t n = mesh.number_of_vertices();
     std::vector<Mixing_moments<1> > moments(n);
     for_each_index<ConcurrencyTag>(n, [&](const std::size_t v)
     {
-      const Vector_3 difference = gentle.points[v] - mesh.point(v);
-      moments[v].products[0] = float((observed[v] - mesh.point(v)) * difference - gentle.noise_shares[v]);
-      moments[v].squares[0] = float(difference.squared_length());
+      // what vertices slide along the surface does not count
+      const double difference = (gentle.points[v] - mesh.point(v)) * normals[v];
+      const double noise_share = gentle.noise_shares[v] - patch_noise_share(v);
+      moments[v].products[0] = float((observed[v] - mesh.point(v)) * normals[v] * difference - noise_share);
+      moments[v].squares[0] = float(difference * difference);
     });
     std::vector<std::array<float, 1> > weights
       = local_weights<ConcurrencyTag>(neighbors, m_parameters, m_noise * m_noise, m_parameters.patch_penalty, moments);
@@ -253,6 +266,7 @@ private:
   double m_mean_edge_length;
   double m_noise; // in the unit of the coordinates
   std::vector<Vector_3> m_face_normals;
+  std::vector<double> m_leverages;
   std::vector<Vector_3> m_vertex_normals;
 };
 

@@ -25,6 +25,7 @@ struct Adaptive_parameters
   bool use_adaptive_neighborhoods = true;
   bool use_adaptive_degree = true;
   bool use_gentle_path = true;
+  bool unfold_faces = true;
   bool preserve_volume = true;
 
   // Below this the mesh counts as free of noise.
@@ -54,9 +55,13 @@ struct Adaptive_parameters
   double largest_range = 1.5;
   // The path is cut into bands at these steps. The first, the finest, hold so much noise that only the whole mesh tells
   // what else they hold.
-  static constexpr std::size_t number_of_local_bands = 4;
+  static constexpr std::size_t number_of_local_bands = 5;
   std::array<std::size_t, 3> global_band_ends = {{ 1, 2, 4 }};
-  std::array<std::size_t, number_of_local_bands> local_band_ends = {{ 6, 9, 13, 19 }};
+  std::array<std::size_t, number_of_local_bands - 1> local_band_ends = {{ 6, 9, 13, 19 }};
+  // The last band is a relaxation.
+  std::size_t number_of_relaxations = 3;
+  double relaxation_range_along_normals = 0.25; // times noise
+  double relaxation_range_across_normals = 0.75;
 
   // Patches
   double normal_weight = 150;
@@ -77,15 +82,26 @@ struct Adaptive_parameters
   std::size_t window_number_of_averages = 80;
   double window_points_per_average = 6.2;       // the window then has about so many points for each average
   double gentle_penalty = 3;                    // how far local weights keep to that of the whole mesh
-  double patch_penalty = 4;
+  double patch_penalty = 16;
+  // The fits of patches follow the noise by their leverages, and where their sizes were chosen to follow detail, they follow
+  // the noise by that choice, too.
+  double unadapted_leverage = 0.016;            // that of patches of the largest size
+  double adaptation_factor = 1.5;               // of what leverages have beyond
   std::size_t number_of_sharpenings = 3;        // of the weight between the two estimates
 
   // Faces that face against their surroundings
-  std::size_t unfolding_number_of_rounds = 10;
-  double unfolding_area = 4;                    // faces that are larger, times noise^2, are let alone
-  double unfolding_flatness = 0.85;             // the cosine of the largest angle at a vertex that may move
-  double unfolding_cosine = 0.1;                // that of the largest angle of a face afterwards
-  double unfolding_reach = 3;                   // times noise
+  std::size_t unfolding_number_of_rounds = 20;
+  std::size_t unfolding_rounds_of_centers = 3;  // before vertices may move in another way
+  double unfolding_agreement = 0.75;            // the share of the area that the sum of the area vectors around has
+  double unfolding_sure_area = 4;               // faces that are larger, times noise^2, may be turned by the shape,
+  double unfolding_share_by_shape = 5e-4;       // if no more than this share of all faces is turned,
+  double unfolding_largest_area = 20;           // and those larger than this, times noise^2, in any case
+  double unfolding_flatness = 0.6;              // the cosine of the largest angle at a vertex that goes to a center
+  double unfolding_cosine = 0.1;                // that of the largest angle of a face there
+  double unfolding_reach = 4;                   // times noise
+  double unfolding_least_area = 0.1;            // that a face is to have, times the mean of those around
+  double unfolding_stiffness = 3000;            // how much more than areas distances from the surface count
+  double unfolding_drag = 0.01;                 // and ways along it
 
   std::size_t volume_number_of_rounds = 2;
 };

@@ -28,7 +28,7 @@ namespace Surface_mesh_denoising {
 namespace internal {
 
 // An estimate that spares small detail: a path of many gentle steps, each of which takes more of the noise and more of
-// the shape away. What changes between two points of the path is a band; the estimate is the end of the path, with each
+// the shape away, and a relaxation of what noise is left between neighbors. What changes between two points of the path is a band; the estimate is the end of the path, with each
 // band given back as far as, by Stein's estimate, it is shape and not noise.
 struct Gentle_estimate
 {
@@ -50,14 +50,50 @@ inline Evolution_step gentle_step(const std::size_t k, const double relative_noi
            2 + growth(parameters.gentle_move_growth * progress) };
 }
 
+// Lambda-mu smoothing (Taubin), of what noise may have left only: a vertex far from the center of its neighbors, beside the
+// noise, stays, and moves along its normal and across it count each for itself.
+template <typename ConcurrencyTag>
+void relax(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
+           const std::vector<Indexed_triangle_mesh::Vector_3>& normals, const double noise,
+           const Adaptive_parameters& parameters)
+{
+  typedef Indexed_triangle_mesh::Index      Index;
+  typedef Indexed_triangle_mesh::Point_3    Point_3;
+  typedef Indexed_triangle_mesh::Vector_3   Vector_3;
+
+  const auto factor_of_range = [&](const double range) { return 0.5 / (range * range * noise * noise); };
+  const double factor_along = factor_of_range(parameters.relaxation_range_along_normals);
+  const double factor_across = factor_of_range(parameters.relaxation_range_across_normals);
+  std::vector<Point_3> points(mesh.number_of_vertices());
+  for(std::size_t k=0; k<2*parameters.number_of_relaxations; ++k)
+  {
+    const double share = (k % 2 == 0) ? 0.5 : -0.53;
+    for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
+    {
+      points[v] = mesh.point(v);
+      if(!is_movable[v] || neighbors.is_at_border(v) || neighbors(v).empty())
+        return;
+      Vector_3 sum(0, 0, 0);
+      for(const Index w : neighbors(v))
+        sum += mesh.point(w) - mesh.point(v);
+      const Vector_3 to_center = sum / double(neighbors(v).size());
+      const Vector_3 along = (to_center * normals[v]) * normals[v], across = to_center - along;
+      points[v] = points[v] + (share * bell(factor_along * along.squared_length())) * along
+                            + (share * bell(factor_across * across.squared_length())) * across;
+    });
+    mesh.swap_points(points);
+  }
+}
+
 // `mesh` holds the best points that are known, which tell areas and distances better than the observed ones. It is
-// as before afterwards. `noise` is in the unit of the coordinates, `disturbances` are vectors of about the length of the
-// noise, independent of each other
+// as before afterwards. `noise` is in the unit of the coordinates, `disturbances` are lengths along `normals` of about that
+// of the noise, independent of each other
 template <typename ConcurrencyTag>
 Gentle_estimate
 estimate_gently(Indexed_triangle_mesh& mesh, const std::vector<Indexed_triangle_mesh::Point_3>& observed,
                 const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
-                const std::vector<Indexed_triangle_mesh::Vector_3>& disturbances, const double noise,
+                const std::vector<Indexed_triangle_mesh::Vector_3>& normals, const std::vector<double>& disturbances,
+                const double noise,
                 const double mean_edge_length, const Adaptive_parameters& parameters)
 {
   typedef Indexed_triangle_mesh::Point_3    Point_3;
@@ -72,7 +108,7 @@ estimate_gently(Indexed_triangle_mesh& mesh, const std::vector<Indexed_triangle_
 
   const std::size_t n = mesh.number_of_vertices();
   std::vector<Point_3> fine = observed, points = observed, disturbed(n);
-  for_each_index<ConcurrencyTag>(n, [&](const std::size_t v) { disturbed[v] = observed[v] + disturbances[v]; });
+  for_each_index<ConcurrencyTag>(n, [&](const std::size_t v) { disturbed[v] = observed[v] + disturbances[v] * normals[v]; });
   std::vector<Point_3> disturbed_fine = disturbed;
 
   // goes on to step `end` of the path, for the observed and for the disturbed points
@@ -93,7 +129,7 @@ estimate_gently(Indexed_triangle_mesh& mesh, const std::vector<Indexed_triangle_
   };
   const auto difference = [&](const std::size_t v) { return fine[v] - mesh.point(v); };
   const auto noise_share = [&](const std::size_t v)
-  { return disturbances[v] * ((disturbed_fine[v] - fine[v]) - (disturbed[v] - mesh.point(v))); };
+  { return disturbances[v] * normals[v] * ((disturbed_fine[v] - fine[v]) - (disturbed[v] - mesh.point(v))); };
   const auto product = [&](const std::size_t v)
   { return (observed[v] - mesh.point(v)) * difference(v) - noise_share(v); };
   const auto end_band = [&]()
@@ -123,7 +159,15 @@ estimate_gently(Indexed_triangle_mesh& mesh, const std::vector<Indexed_triangle_
   std::vector<Mixing_moments<N> > moments(n);
   for(std::size_t i=0; i<N; ++i)
   {
-    go_to(parameters.local_band_ends[i]);
+    if(i < parameters.local_band_ends.size())
+      go_to(parameters.local_band_ends[i]);
+    else
+    {
+      relax<ConcurrencyTag>(mesh, is_movable, neighbors, normals, noise, parameters);
+      mesh.swap_points(disturbed);
+      relax<ConcurrencyTag>(mesh, is_movable, neighbors, normals, noise, parameters);
+      mesh.swap_points(disturbed);
+    }
     for_each_index<ConcurrencyTag>(n, [&](const std::size_t v)
     {
       const Vector_3 d = difference(v);
@@ -140,7 +184,7 @@ estimate_gently(Indexed_triangle_mesh& mesh, const std::vector<Indexed_triangle_
     = local_weights<ConcurrencyTag>(neighbors, parameters, noise * noise, parameters.gentle_penalty, moments);
   for_each_index<ConcurrencyTag>(n, [&](const std::size_t v)
   {
-    estimate.noise_shares[v] += disturbances[v] * (disturbed[v] - mesh.point(v));
+    estimate.noise_shares[v] += disturbances[v] * normals[v] * (disturbed[v] - mesh.point(v));
     for(std::size_t i=0; i<N; ++i)
     {
       const Band& b = bands[v][i];

@@ -115,6 +115,18 @@ public:
     return points;
   }
 
+  // how far each vertex follows its observed point, if that moves along the normal and the patches keep their faces
+  std::vector<double> leverages() const
+  {
+    std::vector<double> leverages(m_vertex_sums.size());
+    for_each_index<ConcurrencyTag>(leverages.size(), [&](const std::size_t v)
+    {
+      const Vertex_sum& s = m_vertex_sums[v];
+      leverages[v] = (s.weight > 0) ? s.leverage / s.weight : 0;
+    });
+    return leverages;
+  }
+
 private:
   typedef Neighborhood_search<Indexed_dual_graph> Search;
 
@@ -129,6 +141,7 @@ private:
   {
     Index vertex;
     double weight;
+    double leverage; // how far the surface follows the observed point
     Vector_3 normal;
     double distance; // of the surface from the observed point, along the normal
   };
@@ -139,12 +152,13 @@ private:
     std::vector<Vertex_term> vertices;
   };
 
-  // the sum of weight (n n^T), of weight distance n, and of the weights
+  // the sum of weight (n n^T), of weight distance n, of the weights, and of weight leverage
   struct Vertex_sum
   {
     std::array<double, 6> m = {{ 0, 0, 0, 0, 0, 0 }};
     Vector_3 rhs = Vector_3(0, 0, 0);
     double weight = 0;
+    double leverage = 0;
 
     void add(const Vertex_term& t)
     {
@@ -158,6 +172,7 @@ private:
       m[5] += wn.z() * n.z();
       rhs += t.distance * wn;
       weight += t.weight;
+      leverage += t.weight * t.leverage;
     }
   };
 
@@ -251,9 +266,9 @@ private:
         const Patch_point& q = m_points[k];
         const Vector_3 n = surface.normal(m_frame, q.u, q.v);
         const double cosine = 1 / std::sqrt(n.squared_length());
-        const double weight = taper(q.rank, surface.number_of_points)
-                            / (squared_noise * surface.variance_of_height(q.u, q.v) + height_bias);
-        patch.vertices.push_back(Vertex_term{ q.vertex, weight, cosine * n,
+        const double leverage = surface.variance_of_height(q.u, q.v);
+        const double weight = taper(q.rank, surface.number_of_points) / (squared_noise * leverage + height_bias);
+        patch.vertices.push_back(Vertex_term{ q.vertex, weight, leverage, cosine * n,
                                               cosine * (surface.height(q.u, q.v) - q.height) });
       }
     }

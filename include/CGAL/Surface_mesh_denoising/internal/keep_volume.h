@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_denoising/internal/normals.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -21,8 +22,30 @@ namespace CGAL {
 namespace Surface_mesh_denoising {
 namespace internal {
 
-// Offsets the surface until the mean signed distance of the observed points from it is zero: noise that is as often
-// outside as inside then leaves the enclosed volume as it was.
+// the volume that the surface sweeps while each vertex goes straight from its point in `from` to that in `to`, positive
+// where it goes outwards
+template <typename ConcurrencyTag>
+double swept_volume(const Indexed_triangle_mesh& mesh, const std::vector<Indexed_triangle_mesh::Point_3>& from,
+                    const std::vector<Indexed_triangle_mesh::Point_3>& to)
+{
+  typedef Indexed_triangle_mesh::Index      Index;
+  typedef Indexed_triangle_mesh::Vector_3   Vector_3;
+
+  return sum<ConcurrencyTag>(mesh.number_of_faces(), [&](const std::size_t f)
+  {
+    // the integral of the area vector times the mean displacement: the former is quadratic in time, so Simpson's rule
+    // is exact
+    const std::array<Index, 3>& t = mesh.vertices(f);
+    const Vector_3 d0 = to[t[0]] - from[t[0]], d1 = to[t[1]] - from[t[1]], d2 = to[t[2]] - from[t[2]];
+    const Vector_3 a = from[t[1]] - from[t[0]], b = from[t[2]] - from[t[0]];
+    const Vector_3 c = a + (d1 - d0), d = b + (d2 - d0);
+    const Vector_3 mean_of_areas = (cross_product(a, b) + cross_product(a + c, b + d) + cross_product(c, d)) / 12;
+    return mean_of_areas * (d0 + d1 + d2) / 3;
+  });
+}
+
+// Offsets the surface until it encloses the volume that it did with the observed points: that is a sum of products of
+// three different points, so noise that is independent from vertex to vertex leaves its expectation as it was.
 template <typename ConcurrencyTag>
 void keep_volume(Indexed_triangle_mesh& mesh, const std::vector<Indexed_triangle_mesh::Point_3>& observed,
                  const std::vector<bool>& is_movable, const std::size_t number_of_rounds)
@@ -38,24 +61,22 @@ void keep_volume(Indexed_triangle_mesh& mesh, const std::vector<Indexed_triangle
   {
     compute_face_normals<ConcurrencyTag>(mesh, normals, areas);
     compute_vertex_normals<ConcurrencyTag>(mesh, normals, areas, vertex_normals);
-    const auto area = [&](const std::size_t v)
+    const double area = sum<ConcurrencyTag>(mesh.number_of_vertices(), [&](const std::size_t v)
     {
-      double a = 0;
+      Vector_3 a(0, 0, 0);
       if(is_movable[v])
         for(const Index f : mesh.faces_around_vertex(v))
-          a += areas[f];
-      return a;
-    };
-    const double whole_area = sum<ConcurrencyTag>(mesh.number_of_vertices(), area);
-    const double volume = sum<ConcurrencyTag>(mesh.number_of_vertices(), [&](const std::size_t v)
-    { return area(v) * ((observed[v] - mesh.point(v)) * vertex_normals[v]); });
-    if(!(whole_area > 0))
+          a += areas[f] / 3 * normals[f];
+      return a * vertex_normals[v];
+    });
+    if(!(area > 0))
       return;
+    const double offset = swept_volume<ConcurrencyTag>(mesh, mesh.points(), observed) / area;
     points = mesh.points();
     for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
     {
       if(is_movable[v])
-        points[v] = points[v] + (volume / whole_area) * vertex_normals[v];
+        points[v] = points[v] + offset * vertex_normals[v];
     });
     mesh.swap_points(points);
   }
