@@ -1,5 +1,6 @@
 // The cost of anisotropic surface fitting, on generated noisy meshes: of an iteration beside one of PMP::smooth_shape(),
-// with the size of the mesh, of the convergence tests, in memory, and with two threads.
+// with the size of the mesh, of the convergence tests, in memory, and with two threads; then the same of a whole run
+// without parameters.
 // Each pair of times is taken in turn in the same run: quote the ratios.
 
 #include "generated_models.h"
@@ -83,15 +84,27 @@ double mean_edge_length(const Mesh& mesh)
 }
 
 // smooth_shape() is given the mildest flow that smooths at all: its linear system is then the easiest to solve
+double seconds_of_smooth_shape(const Mesh& noisy)
+{
+  const double time = std::pow(mean_edge_length(noisy), 2);
+  Mesh mesh = noisy;
+  return seconds([&] { PMP::smooth_shape(mesh, time); });
+}
+
+template <typename ConcurrencyTag>
+double seconds_of_default_run(const Mesh& noisy)
+{
+  Mesh mesh = noisy;
+  return seconds([&] { SMD::denoise_anisotropic_fitting<ConcurrencyTag>(mesh); });
+}
+
 void iteration_beside_smooth_shape(benchmark::State& state)
 {
   const Mesh& noisy = noisy_part(100000);
-  const double time = std::pow(mean_edge_length(noisy), 2);
   double fitting = 0, smooth_shape = 0;
   for(auto _ : state)
   {
-    Mesh mesh = noisy;
-    smooth_shape += seconds([&] { PMP::smooth_shape(mesh, time); });
+    smooth_shape += seconds_of_smooth_shape(noisy);
     const double t = seconds_per_iteration<CGAL::Sequential_tag>(noisy, 20);
     fitting += t;
     state.SetIterationTime(t);
@@ -189,7 +202,8 @@ double kilobytes(const char* field)
   return 0;
 }
 
-void peak_memory(benchmark::State& state)
+template <typename NamedParameters>
+void measure_peak_memory(benchmark::State& state, const NamedParameters& np)
 {
   Mesh mesh = noisy_part(state.range(0));
   double bytes_per_vertex = 0;
@@ -197,24 +211,49 @@ void peak_memory(benchmark::State& state)
   {
     const double before = kilobytes("VmRSS:");
     std::ofstream("/proc/self/clear_refs") << 5; // resets the peak
-    state.SetIterationTime(seconds([&]
-    {
-      SMD::denoise_anisotropic_fitting(mesh, CGAL::parameters::number_of_iterations(2));
-    }));
+    state.SetIterationTime(seconds([&] { SMD::denoise_anisotropic_fitting(mesh, np); }));
     bytes_per_vertex = 1024 * (kilobytes("VmHWM:") - before) / mesh.number_of_vertices();
   }
   state.counters["bytes/vertex"] = bytes_per_vertex;
 }
 
+void peak_memory(benchmark::State& state)
+{
+  measure_peak_memory(state, CGAL::parameters::number_of_iterations(2));
+}
+
+void default_run_peak_memory(benchmark::State& state)
+{
+  measure_peak_memory(state, CGAL::parameters::default_values());
+}
+
+// beside ten iterations of smooth_shape()
+void default_run_beside_smooth_shape(benchmark::State& state)
+{
+  const Mesh& noisy = noisy_part(state.range(0));
+  double denoising = 0, smooth_shape = 0;
+  for(auto _ : state)
+  {
+    for(int i=0; i<10; ++i)
+      smooth_shape += seconds_of_smooth_shape(noisy);
+    const double t = seconds_of_default_run<CGAL::Sequential_tag>(noisy);
+    denoising += t;
+    state.SetIterationTime(t);
+  }
+  state.counters["us/vertex"] = 1e6 * denoising / state.iterations() / noisy.number_of_vertices();
+  state.counters["ratio"] = denoising / smooth_shape;
+}
+
 #ifdef CGAL_LINKED_WITH_TBB
-void two_threads(benchmark::State& state)
+template <typename Seconds>
+void measure_speedup(benchmark::State& state, const Seconds& seconds_of_run)
 {
   const Mesh& noisy = noisy_part(200000);
   double one = 0, two = 0;
   const auto run = [&](const std::size_t number_of_threads)
   {
     tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
-    return seconds_per_iteration<CGAL::Parallel_tag>(noisy, 20);
+    return seconds_of_run(noisy);
   };
   for(auto _ : state)
   {
@@ -225,6 +264,16 @@ void two_threads(benchmark::State& state)
   }
   state.counters["speedup"] = one / two;
 }
+
+void two_threads(benchmark::State& state)
+{
+  measure_speedup(state, [](const Mesh& noisy) { return seconds_per_iteration<CGAL::Parallel_tag>(noisy, 20); });
+}
+
+void default_run_two_threads(benchmark::State& state)
+{
+  measure_speedup(state, &seconds_of_default_run<CGAL::Parallel_tag>);
+}
 #endif
 
 } // namespace
@@ -234,8 +283,12 @@ BENCHMARK(iteration_with_size_of_mesh)->UseManualTime()->Unit(benchmark::kMillis
   ->Arg(100000)->Arg(2000000);
 BENCHMARK(convergence_tests)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK(peak_memory)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(1)->Arg(1000000);
+BENCHMARK(default_run_beside_smooth_shape)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(3)
+  ->Arg(1000)->Arg(10000)->Arg(100000)->Arg(1000000);
+BENCHMARK(default_run_peak_memory)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(1)->Arg(1000000);
 #ifdef CGAL_LINKED_WITH_TBB
 BENCHMARK(two_threads)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(5);
+BENCHMARK(default_run_two_threads)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(3);
 #endif
 
 BENCHMARK_MAIN();

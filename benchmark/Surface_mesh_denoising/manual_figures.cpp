@@ -246,6 +246,7 @@ void ablation(const std::string& model)
   run("use_adaptive_neighborhoods", np::use_adaptive_neighborhoods(false));
   run("use_adaptive_degree", np::use_adaptive_degree(false));
   run("use_gentle_path", np::use_gentle_path(false));
+  run("unfold_faces", np::unfold_faces(false));
   run("preserve_volume", np::preserve_volume(false));
 }
 
