@@ -8,7 +8,6 @@ import base64
 import json
 import math
 import pathlib
-import re
 import subprocess
 import sys
 
@@ -23,6 +22,7 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderWindow, vtkWindowToImageFilter
 
 import render_meshes
+from manual_tables import replace_table
 
 PARAMETERS = {
     'angle_threshold': ('0.05', '0.5', '0.95'),
@@ -112,22 +112,22 @@ class Figures:
         models = ('cad_part', 'organic_shape')
         methods = [[name] + [cell for model in models for cell in self.cells(f'method_{model}_{m}')]
                    for m, name in METHODS.items()]
-        replace_table(manual, 'methods', ['method'] + [f'{measure}, {model.split("_")[0].replace("cad", "part")}' for model in models
+        replace_table(manual, 'methods', 'scripts/figures', ['method'] + [f'{measure}, {model.split("_")[0].replace("cad", "part")}' for model in models
                                                        for measure in ('E_a', 'E_v', 'flipped faces')], methods)
         parameters = [[f'`{name}`', values[i]] + [f"{self.errors[f'parameter_{model}_{name}_{level}'][0]:.2f}"
                                                   for model in ('cad_part', 'twirl', 'organic_shape')]
                       for name, values in PARAMETERS.items() for i, level in enumerate(('low', 'right', 'high'))]
-        replace_table(manual, 'parameters', ['parameter', 'value', 'E_a, part', 'E_a, twisted prism', 'E_a, organic shape'],
+        replace_table(manual, 'parameters', 'scripts/figures', ['parameter', 'value', 'E_a, part', 'E_a, twisted prism', 'E_a, organic shape'],
                       parameters)
 
-        models = ('cad_part', 'cut_sphere', 'organic_shape')
+        models = ('cad_part', 'cut_sphere', 'organic_shape', 'part_in_all_directions')
         ablation = []
         for stage in ('none', 'use_adaptive_neighborhoods', 'use_adaptive_degree', 'use_gentle_path', 'unfold_faces', 'preserve_volume'):
             errors = [self.errors[f'ablation_{model}_{stage}'] for model in models]
             ablation.append(['all stages' if stage == 'none' else f'without `{stage}`'] +
                             [f'{e[0]:.2f}' for e in errors] + [f'{e[1]:.3f}' for e in errors] + [f'{e[3]:.2f}' for e in errors])
-        replace_table(manual, 'ablation', [''] + [f'{measure}, {model}' for measure in ('E_a', 'E_v', 'volume in %')
-                                                  for model in ('part', 'cut sphere', 'organic')], ablation)
+        replace_table(manual, 'ablation', 'scripts/figures', [''] + [f'{measure}, {model}' for measure in ('E_a', 'E_v', 'volume in %')
+                                                  for model in ('part', 'cut sphere', 'organic', 'part (2)')], ablation)
 
     def cells(self, mesh):
         angular, distance, flipped, _ = self.errors[mesh]
@@ -167,15 +167,6 @@ class Figures:
 
 def encoded(numbers):
     return base64.b64encode(numbers.astype('<u2').tobytes()).decode()
-
-
-def replace_table(manual, name, header, rows):
-    """Writes a table into the manual, between the comments that mark its place."""
-    begin, end = f'<!-- table of {name}: written by scripts/figures -->\n', '<!-- end of table -->'
-    before, rest = manual.read_text().split(begin)
-    lines = [[re.sub('E_([av])', r'<i>E</i><sub>\1</sub>', cell) for cell in header], ['---'] * len(header)] + rows
-    table = ''.join('| ' + ' | '.join(line) + ' |\n' for line in lines)
-    manual.write_text(before + begin + '\n' + table + '\n' + rest[rest.index(end):])
 
 
 def near_faces(mesh, center, radius):

@@ -232,15 +232,15 @@ void methods(const std::string& model)
 }
 
 // what each stage of the adaptive method brings: all of them, and all but one
-void ablation(const std::string& model)
+void ablation(const std::string& title, const std::string& model, const SMD::Noise_direction direction)
 {
   const Mesh mesh = generated(model, 10000);
-  const Mesh noisy = with_noise(mesh, np::noise_level(0.3));
+  const Mesh noisy = with_noise(mesh, np::noise_level(0.3).noise_direction(direction));
   const auto run = [&](const std::string& name, const auto& parameters)
   {
     Mesh denoised = noisy;
     SMD::denoise_anisotropic_fitting<Concurrency>(denoised, parameters);
-    report("ablation_" + model + "_" + name, denoised, mesh);
+    report("ablation_" + title + "_" + name, denoised, mesh);
   };
   run("none", np::default_values());
   run("use_adaptive_neighborhoods", np::use_adaptive_neighborhoods(false));
@@ -266,7 +266,8 @@ int main(int argc, char* argv[])
     methods("cad_part");
     methods("organic_shape");
     for(const char* model : { "cad_part", "cut_sphere", "organic_shape" })
-      ablation(model);
+      ablation(model, model, SMD::Noise_direction::NORMAL);
+    ablation("part_in_all_directions", "cad_part", SMD::Noise_direction::RANDOM);
     parameters("cad_part", 5000);
     parameters("twirl", 5000);
     parameters("organic_shape", 5000);

@@ -141,6 +141,25 @@ TEST(Estimate_noise_level, Knows_surfaces_without_noise)
   EXPECT_LT(SMD::estimate_noise_level(irregular_mesh(models::sphere, 5000)), 1e-3);
 }
 
+// little detail here, more of it there
+TEST(Estimate_noise_level, Tells_detail_of_the_shape_from_noise)
+{
+  const Mesh detail = irregular_mesh(models::organic_shape, 1500);
+  EXPECT_EQ(SMD::estimate_noise_level(detail), 0);
+  EXPECT_EQ(points_of(denoised(detail)), points_of(detail));
+  EXPECT_NEAR(SMD::estimate_noise_level(with_noise(detail, 0.05)), 0.055, 0.01);
+}
+
+// impulses, too, are not everywhere alike
+TEST(Estimate_noise_level, Tells_small_impulses_from_detail)
+{
+  const Mesh truth = irregular_mesh(models::cad_part, 6000);
+  Mesh noisy = truth;
+  SMD::add_noise(noisy, params::noise_level(0.1).noise_share(0.1).random_seed(1));
+  EXPECT_GT(SMD::estimate_noise_level(noisy), 0);
+  EXPECT_LT(error(denoised(noisy), truth), 0.5 * error(noisy, truth));
+}
+
 TEST(Estimate_noise_level, Does_not_depend_on_numbers_position_and_scale)
 {
   const Mesh mesh = noisy_mesh(models::cad_part, 4000, 0.2);

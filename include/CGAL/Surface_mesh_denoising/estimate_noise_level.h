@@ -28,6 +28,9 @@ namespace Surface_mesh_denoising {
 * stand out from these surfaces is noise where the shape is smooth. Medians keep edges and corners out, and differences between
 * neighbors what is left of the shape.
 *
+* Fine detail of the shape stands out like noise, but not everywhere alike: what is less than 0.045 mean edge lengths, and far less
+* in some parts of the mesh than in others, counts as detail, and the level is zero.
+*
 * The noise is taken to be independent from vertex to vertex. That of a scanner need not be: noise that neighboring vertices have
 * in common looks like shape, and the level comes out too low. Impulses that spare most vertices go unnoticed as well.
 *
@@ -83,7 +86,7 @@ namespace Surface_mesh_denoising {
 * \cgalNamedParamsEnd
 *
 * @return the standard deviation of the noise along the normals, in mean edge lengths of the surface without the noise, as in
-*         `add_noise()`. That mean is the one of `tmesh`, less what the noise adds to it. Zero if no vertex tells of noise.
+*         `add_noise()`. That mean is the one of `tmesh`, less what the noise adds to it. Zero if nothing tells of noise.
 *
 * @throw std::invalid_argument if a face is not a triangle, if a coordinate is not finite, or if an index map does not
 *        number the elements from zero without a gap

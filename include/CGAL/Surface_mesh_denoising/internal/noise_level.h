@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_denoising/Indexed_triangle_mesh.h>
 #include <CGAL/Surface_mesh_denoising/internal/Vertex_neighbors.h>
+#include <CGAL/Surface_mesh_denoising/internal/mixing.h>
 #include <CGAL/Surface_mesh_denoising/internal/normals.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
 #include <CGAL/Surface_mesh_denoising/internal/surface_fit.h>
@@ -83,10 +84,73 @@ inline double median_of_absolutes(const std::vector<double>& values, const std::
   return *middle;
 }
 
+// How much less residuals there are where there are few than where there are about as many as in most of the mesh: noise is
+// nearly as strong everywhere, detail of the shape is not. Large residuals, as at edges, are cut.
+template <typename ConcurrencyTag>
+double uniformity(const Vertex_neighbors& neighbors, const std::vector<double>& residuals, const std::vector<bool>& counts)
+{
+  const std::size_t number_of_averages = 8; // over windows of about fifty vertices
+  const double most = 1.5 * median_of_absolutes(residuals, counts);
+  std::vector<Mixing_moments<1> > moments(residuals.size());
+  for_each_index<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
+  {
+    const bool is_known = counts[v] && std::isfinite(residuals[v]);
+    moments[v].products[0] = is_known ? float((std::min)(std::abs(residuals[v]), most) / most) : 0;
+    moments[v].squares[0] = is_known;
+  });
+  average_over_neighbors<ConcurrencyTag>(neighbors, number_of_averages, moments);
+
+  std::vector<float> means;
+  for(std::size_t v=0; v<moments.size(); ++v)
+    if(counts[v] && std::isfinite(residuals[v]))
+      means.push_back(moments[v].products[0] / moments[v].squares[0]);
+  if(means.empty())
+    return 1;
+  const auto quantile = [&](const double share)
+  {
+    const auto it = means.begin() + std::size_t(share * double(means.size()));
+    std::nth_element(means.begin(), it, means.end());
+    return double(*it);
+  };
+  return quantile(0.02) / quantile(0.35);
+}
+
+// The share of the vertices whose residual is large and much larger than those of all their neighbors: edges and detail
+// are never of one vertex
+template <typename ConcurrencyTag>
+double share_of_impulses(const Vertex_neighbors& neighbors, const std::vector<double>& residuals,
+                         const std::vector<bool>& counts)
+{
+  const double least = 6 * median_of_absolutes(residuals, counts), largest_neighbor = 0.35;
+  const double number = sum<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
+  {
+    const double r = std::abs(residuals[v]);
+    return double(counts[v] && r > least
+                  && std::all_of(neighbors(v).begin(), neighbors(v).end(), [&](const Indexed_triangle_mesh::Index w)
+                                 { return std::abs(residuals[w]) < largest_neighbor * r; }));
+  });
+  const double whole = sum<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
+  { return double(counts[v] && std::isfinite(residuals[v])); });
+  return (whole > 0) ? number / whole : 0;
+}
+
+// Detail of the shape, in a mesh without noise, makes small residuals that are not uniform, and no impulses. `level` is
+// the estimate, in mean edge lengths
+template <typename ConcurrencyTag>
+bool is_shape(const Vertex_neighbors& neighbors, const std::vector<double>& residuals, const std::vector<bool>& counts,
+              const double level)
+{
+  const double largest_level = 0.045, least_uniformity = 0.68, largest_share_of_impulses = 0.005;
+  return level < largest_level
+      && uniformity<ConcurrencyTag>(neighbors, residuals, counts) < least_uniformity
+      && share_of_impulses<ConcurrencyTag>(neighbors, residuals, counts) < largest_share_of_impulses;
+}
+
 // The standard deviation of the noise along the normals, from the vertices that count, in the unit of the coordinates.
 // A quadric is fitted to the two rings around each vertex, without the vertex itself. What the vertex stands out is
 // noise, and shape that is no quadric. Shape is smoother than noise: taking the mean of the neighbors' residuals away,
-// again and again, leaves less of it, so the least of the estimates is the best. Medians keep edges out.
+// again and again, leaves less of it, so the least of the estimates is the best. Medians keep edges out. Little of it that
+// is not uniform is shape all the same.
 template <typename ConcurrencyTag>
 double noise_level(const Indexed_triangle_mesh& mesh, const Vertex_neighbors& neighbors,
                    const std::vector<bool>& counts)
@@ -140,13 +204,14 @@ double noise_level(const Indexed_triangle_mesh& mesh, const Vertex_neighbors& ne
     }
   });
 
+  const std::vector<double> first_residuals = residuals;
   double level = std::numeric_limits<double>::infinity();
   std::vector<double> without_mean(residuals.size());
   for(std::size_t i=0; ; ++i)
   {
     level = (std::min)(level, median_of_absolutes(residuals, counts) / medians_of_white_noise[i]);
     if(i + 1 == medians_of_white_noise.size())
-      return level;
+      break;
     for_each_index<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
     {
       double sum = 0;
@@ -161,6 +226,8 @@ double noise_level(const Indexed_triangle_mesh& mesh, const Vertex_neighbors& ne
     });
     residuals.swap(without_mean);
   }
+  return (level > 0 && is_shape<ConcurrencyTag>(neighbors, first_residuals, counts,
+                                                level / mesh.mean_edge_length<ConcurrencyTag>())) ? 0 : level;
 }
 
 // Noise along the normals lengthens the edges, by the factor that the difference of two normal deviates makes in the
