@@ -51,7 +51,7 @@ struct Adaptive_parameters
   double gentle_range_steps = 4;                // the range reaches its last value in so many steps
   double gentle_normal_growth = 0.625;          // step k filters the normals 1 + growth (noise k)^2 times
   double gentle_move_growth = 1;                // and moves the vertices 2 + growth noise k times
-  std::size_t gentle_maximal_growth = 7;
+  std::size_t gentle_maximal_growth = 4;
   double largest_range = 1.5;
   // The path is cut into bands at these steps. The first, the finest, hold so much noise that only the whole mesh tells
   // what else they hold.
