@@ -60,7 +60,8 @@ def table(runs):
         rows.append(['two threads beside one', f"{runs['two_threads', None]['speedup']:.2f} times as fast"])
     for (name, size), run in sorted(runs.items(), key=lambda item: item[0][1] or 0):
         if name == 'default_run_beside_smooth_shape':
-            rows.append([f"a run without parameters, {size:,} vertices".replace(',', ' '),
+            number = f'{size:,}'.replace(',', ' ')
+            rows.append([f'a run without parameters, {number} vertices',
                          f"{run['us/vertex']:.1f} microseconds a vertex, {run['ratio']:.2f} times ten iterations of `smooth_shape()`"])
     rows.append(['its memory beside the mesh, 1 million vertices',
                  f"{runs['default_run_peak_memory', 1000000]['bytes/vertex']:.0f} bytes a vertex"])
