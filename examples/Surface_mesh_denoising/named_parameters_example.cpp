@@ -69,5 +69,13 @@ int main(int argc, char* argv[])
 
   // the default filter takes its parameters directly
   SMD::denoise_anisotropic_fitting(mesh, CGAL::parameters::angle_threshold(0.6).normal_exponent(4));
+
+  // without any of these, the function adapts to the mesh: what it takes for noise, and its stages
+  SMD::denoise_anisotropic_fitting(mesh, CGAL::parameters::noise_level(0.05) // in mean edge lengths
+                                                          .use_adaptive_neighborhoods(true)
+                                                          .use_adaptive_degree(true)
+                                                          .use_gentle_path(true)
+                                                          .unfold_faces(true)
+                                                          .preserve_volume(true));
   return EXIT_SUCCESS;
 }

@@ -109,7 +109,7 @@ public:
     if(m_parameters.unfold_faces)
       Face_unfolding<ConcurrencyTag>(mesh, is_movable, neighbors, m_noise, m_parameters).run();
     if(m_parameters.preserve_volume)
-      keep_volume<ConcurrencyTag>(mesh, observed, is_movable, m_parameters.volume_number_of_rounds);
+      keep_volume<ConcurrencyTag>(mesh, observed, is_movable, m_noise, m_parameters.volume_number_of_rounds);
 
     ++result.number_of_iterations;
     result.has_converged = true;

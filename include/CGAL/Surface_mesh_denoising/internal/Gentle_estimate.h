@@ -28,8 +28,9 @@ namespace Surface_mesh_denoising {
 namespace internal {
 
 // An estimate that spares small detail: a path of many gentle steps, each of which takes more of the noise and more of
-// the shape away, and a relaxation of what noise is left between neighbors. What changes between two points of the path is a band; the estimate is the end of the path, with each
-// band given back as far as, by Stein's estimate, it is shape and not noise.
+// the shape away, and a relaxation of what noise is left between neighbors. What changes between two points of the path
+// is a band; the estimate is the end of the path, with each band given back as far as, by Stein's estimate, it is shape
+// and not noise.
 struct Gentle_estimate
 {
   std::vector<Indexed_triangle_mesh::Point_3> points;
@@ -50,8 +51,8 @@ inline Evolution_step gentle_step(const std::size_t k, const double relative_noi
            2 + growth(parameters.gentle_move_growth * progress) };
 }
 
-// Lambda-mu smoothing (Taubin), of what noise may have left only: a vertex far from the center of its neighbors, beside the
-// noise, stays, and moves along its normal and across it count each for itself.
+// Lambda-mu smoothing (Taubin), of what noise may have left only: a vertex far from the center of its neighbors, beside
+// the noise, stays, and moves along its normal and across it count each for itself.
 template <typename ConcurrencyTag>
 void relax(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
            const std::vector<Indexed_triangle_mesh::Vector_3>& normals, const double noise,

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_denoising/internal/normals.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -44,11 +45,12 @@ double swept_volume(const Indexed_triangle_mesh& mesh, const std::vector<Indexed
   });
 }
 
-// Offsets the surface until it encloses the volume that it did with the observed points: that is a sum of products of
-// three different points, so noise that is independent from vertex to vertex leaves its expectation as it was.
+// Offsets the surface, by no more than the noise, until it encloses the volume that it did with the observed points.
+// That is a sum of products of three different points: noise that is independent from vertex to vertex leaves its
+// expectation as it was.
 template <typename ConcurrencyTag>
 void keep_volume(Indexed_triangle_mesh& mesh, const std::vector<Indexed_triangle_mesh::Point_3>& observed,
-                 const std::vector<bool>& is_movable, const std::size_t number_of_rounds)
+                 const std::vector<bool>& is_movable, const double noise, const std::size_t number_of_rounds)
 {
   typedef Indexed_triangle_mesh::Index      Index;
   typedef Indexed_triangle_mesh::Point_3    Point_3;
@@ -71,7 +73,8 @@ void keep_volume(Indexed_triangle_mesh& mesh, const std::vector<Indexed_triangle
     });
     if(!(area > 0))
       return;
-    const double offset = swept_volume<ConcurrencyTag>(mesh, mesh.points(), observed) / area;
+    const double wanted = swept_volume<ConcurrencyTag>(mesh, mesh.points(), observed) / area;
+    const double offset = (std::max)(-noise, (std::min)(wanted, noise));
     points = mesh.points();
     for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
     {
