@@ -84,8 +84,8 @@ inline double median_of_absolutes(const std::vector<double>& values, const std::
   return *middle;
 }
 
-// How much less residuals there are where there are few than where there are about as many as in most of the mesh: noise is
-// nearly as strong everywhere, detail of the shape is not. Large residuals, as at edges, are cut.
+// How large residuals are where they are small, beside what they are in most of the mesh: noise is nearly as strong
+// everywhere, detail of the shape is not. Large residuals, as at edges, are cut.
 template <typename ConcurrencyTag>
 double uniformity(const Vertex_neighbors& neighbors, const std::vector<double>& residuals, const std::vector<bool>& counts)
 {
@@ -149,8 +149,8 @@ bool is_shape(const Vertex_neighbors& neighbors, const std::vector<double>& resi
 // The standard deviation of the noise along the normals, from the vertices that count, in the unit of the coordinates.
 // A quadric is fitted to the two rings around each vertex, without the vertex itself. What the vertex stands out is
 // noise, and shape that is no quadric. Shape is smoother than noise: taking the mean of the neighbors' residuals away,
-// again and again, leaves less of it, so the least of the estimates is the best. Medians keep edges out. Little of it that
-// is not uniform is shape all the same.
+// again and again, leaves less of it, so the least of the estimates is the best. Medians keep edges out. What is left in a
+// mesh without noise is small and not uniform: then the level is zero.
 template <typename ConcurrencyTag>
 double noise_level(const Indexed_triangle_mesh& mesh, const Vertex_neighbors& neighbors,
                    const std::vector<bool>& counts)
