@@ -120,15 +120,18 @@ class Figures:
         replace_table(manual, 'parameters', 'scripts/figures', ['parameter', 'value', 'E_a, part', 'E_a, twisted prism', 'E_a, organic shape'],
                       parameters)
 
-        models = ('cad_part', 'cut_sphere', 'organic_shape', 'part_in_all_directions')
+        models = {'cad_part': 'part', 'cut_sphere': 'cut sphere', 'organic_shape': 'organic', 'cad_part_in_all_directions': 'part (2)',
+                  'organic_shape_in_all_directions': 'organic (2)', 'uneven': 'uneven'}
+        distances = ('organic_shape', 'uneven')
         ablation = []
-        for stage in ('none', 'use_adaptive_neighborhoods', 'use_adaptive_degree', 'use_gentle_path', 'unfold_faces', 'preserve_volume'):
-            errors = [self.errors[f'ablation_{model}_{stage}'] for model in models]
+        for stage in ('none', 'use_adaptive_neighborhoods', 'use_adaptive_degree', 'use_gentle_path', 'use_linear_path',
+                      'remove_tangential_noise', 'unfold_faces', 'preserve_volume'):
+            errors = {model: self.errors[f'ablation_{model}_{stage}'] for model in models}
             ablation.append(['all stages' if stage == 'none' else f'without `{stage}`'] +
-                            [f'{e[0]:.2f}' for e in errors] + [f'{e[1]:.3f}' for e in errors] + [f'{errors[1][3]:.2f}'])
-        replace_table(manual, 'ablation', 'scripts/figures', [''] + [f'{measure}, {model}' for measure in ('E_a', 'E_v')
-                                                  for model in ('part', 'cut sphere', 'organic', 'part (2)')]
-                      + ['volume in %, cut sphere'], ablation)
+                            [f'{e[0]:.2f}' for e in errors.values()] + [f'{errors[m][1]:.3f}' for m in distances] +
+                            [f"{errors['cut_sphere'][3]:.2f}"])
+        replace_table(manual, 'ablation', 'scripts/figures', [''] + [f'E_a, {title}' for title in models.values()]
+                      + [f'E_v, {models[m]}' for m in distances] + ['volume in %, cut sphere'], ablation)
 
     def cells(self, mesh):
         angular, distance, flipped, _ = self.errors[mesh]

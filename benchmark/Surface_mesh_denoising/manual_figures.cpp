@@ -231,10 +231,21 @@ void methods(const std::string& model)
   run("taubin", [](Mesh& m) { SMD::denoise_taubin<Concurrency>(m); });
 }
 
-// what each stage of the adaptive method brings: all of them, and all but one
-void ablation(const std::string& title, const std::string& model, const SMD::Noise_direction direction)
+// scaled by the square of the distance from one of the vertices: triangles are small there, and large far away
+Mesh uneven(Mesh mesh)
 {
-  const Mesh mesh = generated(model, 10000);
+  const auto center = mesh.point(*mesh.vertices().begin());
+  for(const auto v : mesh.vertices())
+  {
+    const auto d = mesh.point(v) - center;
+    mesh.point(v) = center + d.squared_length() * d;
+  }
+  return mesh;
+}
+
+// what each stage of the adaptive method brings: all of them, and all but one
+void ablation(const std::string& title, const Mesh& mesh, const SMD::Noise_direction direction)
+{
   const Mesh noisy = with_noise(mesh, np::noise_level(0.3).noise_direction(direction));
   const auto run = [&](const std::string& name, const auto& parameters)
   {
@@ -246,6 +257,8 @@ void ablation(const std::string& title, const std::string& model, const SMD::Noi
   run("use_adaptive_neighborhoods", np::use_adaptive_neighborhoods(false));
   run("use_adaptive_degree", np::use_adaptive_degree(false));
   run("use_gentle_path", np::use_gentle_path(false));
+  run("use_linear_path", np::use_linear_path(false));
+  run("remove_tangential_noise", np::remove_tangential_noise(false));
   run("unfold_faces", np::unfold_faces(false));
   run("preserve_volume", np::preserve_volume(false));
 }
@@ -266,8 +279,10 @@ int main(int argc, char* argv[])
     methods("cad_part");
     methods("organic_shape");
     for(const char* model : { "cad_part", "cut_sphere", "organic_shape" })
-      ablation(model, model, SMD::Noise_direction::NORMAL);
-    ablation("part_in_all_directions", "cad_part", SMD::Noise_direction::RANDOM);
+      ablation(model, generated(model, 10000), SMD::Noise_direction::NORMAL);
+    for(const char* model : { "cad_part", "organic_shape" })
+      ablation(std::string(model) + "_in_all_directions", generated(model, 10000), SMD::Noise_direction::RANDOM);
+    ablation("uneven", uneven(generated("organic_shape", 10000)), SMD::Noise_direction::NORMAL);
     parameters("cad_part", 5000);
     parameters("twirl", 5000);
     parameters("organic_shape", 5000);

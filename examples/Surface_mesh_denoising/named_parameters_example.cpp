@@ -75,6 +75,8 @@ int main(int argc, char* argv[])
                                                           .use_adaptive_neighborhoods(true)
                                                           .use_adaptive_degree(true)
                                                           .use_gentle_path(true)
+                                                          .use_linear_path(true)
+                                                          .remove_tangential_noise(true)
                                                           .unfold_faces(true)
                                                           .preserve_volume(true));
   return EXIT_SUCCESS;

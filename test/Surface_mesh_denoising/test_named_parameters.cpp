@@ -55,6 +55,8 @@ CHECK_NAME(mu)
 CHECK_NAME(use_adaptive_neighborhoods)
 CHECK_NAME(use_adaptive_degree)
 CHECK_NAME(use_gentle_path)
+CHECK_NAME(use_linear_path)
+CHECK_NAME(remove_tangential_noise)
 CHECK_NAME(unfold_faces)
 CHECK_NAME(preserve_volume)
 

@@ -80,6 +80,9 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
     = choose_parameter(get_parameter(np, internal_np::use_adaptive_neighborhoods), true);
   adaptive.use_adaptive_degree = choose_parameter(get_parameter(np, internal_np::use_adaptive_degree), true);
   adaptive.use_gentle_path = choose_parameter(get_parameter(np, internal_np::use_gentle_path), true);
+  adaptive.use_linear_path = choose_parameter(get_parameter(np, internal_np::use_linear_path), true);
+  adaptive.remove_tangential_noise
+    = choose_parameter(get_parameter(np, internal_np::remove_tangential_noise), true);
   adaptive.unfold_faces = choose_parameter(get_parameter(np, internal_np::unfold_faces), true);
   adaptive.preserve_volume = choose_parameter(get_parameter(np, internal_np::preserve_volume), true);
 
@@ -109,11 +112,13 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 * - <em>Patches</em> are fitted to the points as they were given. The neighborhood of a patch, see
 *   `anisotropic_neighborhood()`, grows over the pilot as long as that promises to lower the error of the fit; so does the
 *   choice between a plane and a quadratic surface. Patches overlap, and each vertex goes where those over it agree best.
-* - A <em>gentle path</em>, many small steps with wide ranges, makes a second result that spares small detail. Stein's unbiased risk
-*   estimate tells, from the noisy mesh alone, how much of what the path took away was shape, and which result is closer to the
-*   true surface in each part of the mesh. The two are mixed accordingly.
-* - Where noise across the normals has turned faces against the faces around them, their vertices slide along the surface until the
-*   faces are <em>unfolded</em>. Turned faces that are large beside the noise count as part of the shape.
+* - A <em>gentle path</em>, many small steps with wide ranges, makes a second result that spares small detail, and a <em>linear
+*   path</em>, Taubin's smoothing \cgalCite{cgal:t-spafs-95}, a third one that needs no normals, for where triangles are smaller than the
+*   noise. Stein's unbiased risk estimate tells, from the noisy mesh alone, how much of what a path took away was shape, and which
+*   result is closer to the true surface in each part of the mesh. They are mixed accordingly.
+* - <em>Tangential noise</em> turns faces over, by which it is told from noise along the normals. Where it does, vertices slide, before patches
+*   are fitted, to where triangles are even; and faces that face against the faces around them are <em>unfolded</em> in the end. The
+*   few that a mesh has turned by itself stay.
 * - The surface is offset until it encloses the <em>volume</em> that it did before, which noise leaves as it is, on average.
 * A mesh without noise comes back as it is.
 *
@@ -175,6 +180,18 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *     \cgalParamType{Boolean}
 *     \cgalParamDefault{`true`}
 *     \cgalParamExtra{Without it, the run takes about half the time, and organic shapes lose detail.}
+*   \cgalParamNEnd
+*   \cgalParamNBegin{use_linear_path}
+*     \cgalParamDescription{Adaptive method: whether the result so far is mixed with that of the linear path.}
+*     \cgalParamType{Boolean}
+*     \cgalParamDefault{`true`}
+*     \cgalParamExtra{It matters where triangles are smaller than the noise, as in meshes with triangles of very different sizes.}
+*   \cgalParamNEnd
+*   \cgalParamNBegin{remove_tangential_noise}
+*     \cgalParamDescription{Adaptive method: whether vertices slide along the surface to where triangles are even, if turned faces show that there
+*                           is noise along the surface, too.}
+*     \cgalParamType{Boolean}
+*     \cgalParamDefault{`true`}
 *   \cgalParamNEnd
 *   \cgalParamNBegin{unfold_faces}
 *     \cgalParamDescription{Adaptive method: whether vertices slide along the surface where noise has turned faces against the faces around them.}

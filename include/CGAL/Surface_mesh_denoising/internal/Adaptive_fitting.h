@@ -14,9 +14,11 @@
 #include <CGAL/Surface_mesh_denoising/Indexed_triangle_mesh.h>
 #include <CGAL/Surface_mesh_denoising/internal/Adaptive_parameters.h>
 #include <CGAL/Surface_mesh_denoising/internal/Face_unfolding.h>
-#include <CGAL/Surface_mesh_denoising/internal/Gentle_estimate.h>
+#include <CGAL/Surface_mesh_denoising/internal/Gentle_path.h>
+#include <CGAL/Surface_mesh_denoising/internal/Linear_path.h>
 #include <CGAL/Surface_mesh_denoising/internal/Normal_evolution.h>
 #include <CGAL/Surface_mesh_denoising/internal/Patch_blend.h>
+#include <CGAL/Surface_mesh_denoising/internal/Path_estimate.h>
 #include <CGAL/Surface_mesh_denoising/internal/Vertex_neighbors.h>
 #include <CGAL/Surface_mesh_denoising/internal/keep_volume.h>
 #include <CGAL/Surface_mesh_denoising/internal/mixing.h>
@@ -24,6 +26,7 @@
 #include <CGAL/Surface_mesh_denoising/internal/normals.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
 #include <CGAL/Surface_mesh_denoising/internal/sine_key.h>
+#include <CGAL/Surface_mesh_denoising/internal/tangential_noise.h>
 
 #include <algorithm>
 #include <array>
@@ -36,8 +39,8 @@ namespace CGAL {
 namespace Surface_mesh_denoising {
 namespace internal {
 
-// Anisotropic surface fitting that chooses for itself: noise level -> pilot -> patches, and beside them a gentle path
-// -> mixing -> unfolding -> volume. Each stage knows only what the ones before it hand on.
+// Anisotropic surface fitting that chooses for itself: noise level -> pilot -> tangential noise -> patches, and beside
+// them a gentle and a linear path -> mixing -> unfolding -> volume. Each stage knows only what the ones before it hand on.
 template <typename ConcurrencyTag>
 class Adaptive_fitting
 {
@@ -81,12 +84,15 @@ public:
       return result;
     }
 
-    const std::vector<Point_3> observed = mesh.points();
+    std::vector<Point_3> observed = mesh.points();
+    std::vector<Point_3> original; // if other than the observed points
     std::vector<Point_3> pilot;
     for(bool is_first_round = true; ; is_first_round = false)
     {
       if(!run_pilot(mesh, is_movable, report, result))
         return result;
+      if(m_parameters.remove_tangential_noise)
+        remove_tangential_noise(mesh, is_movable, neighbors, observed, original);
       pilot = mesh.points();
       fit_patches(mesh, observed, is_movable);
       // with a noise level of the user's there is nothing to correct
@@ -96,20 +102,15 @@ public:
       mesh.swap_points(points);
     }
 
-    if(m_parameters.use_gentle_path)
-    {
-      std::vector<Vector_3> normals;
-      compute_vertex_normals<ConcurrencyTag>(mesh, normals);
-      const Gentle_estimate gentle
-        = estimate_gently<ConcurrencyTag>(mesh, observed, is_movable, neighbors, normals,
-                                          make_disturbances(mesh, observed, is_movable), m_noise, m_mean_edge_length,
-                                          m_parameters);
-      mix(mesh, observed, normals, neighbors, gentle);
-    }
+    if(m_parameters.use_gentle_path || m_parameters.use_linear_path)
+      mix_with_paths(mesh, observed, is_movable, neighbors);
     if(m_parameters.unfold_faces)
-      Face_unfolding<ConcurrencyTag>(mesh, is_movable, neighbors, m_noise, m_parameters).run();
+      Face_unfolding<ConcurrencyTag>(mesh, observed, is_movable, neighbors, m_noise, m_noise_turns_faces, m_parameters).run();
+    Normal_evolution<ConcurrencyTag>().move_to_agree(mesh, is_movable, m_face_normals,
+                                                     m_parameters.final_number_of_moves);
     if(m_parameters.preserve_volume)
-      keep_volume<ConcurrencyTag>(mesh, observed, is_movable, m_noise, m_parameters.volume_number_of_rounds);
+      keep_volume<ConcurrencyTag>(mesh, original.empty() ? observed : original, is_movable, m_noise,
+                                  m_parameters.volume_number_of_rounds);
 
     ++result.number_of_iterations;
     result.has_converged = true;
@@ -150,6 +151,35 @@ private:
       }
     }
     return true;
+  }
+
+  // Where noise moved vertices along the surface, too, they slide back to where triangles are even, in `mesh` and by the
+  // same way in `observed`; `original` keeps what was observed. Unfolding the pilot first keeps large folds from spreading
+  void remove_tangential_noise(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable,
+                               const Vertex_neighbors& neighbors, std::vector<Point_3>& observed,
+                               std::vector<Point_3>& original)
+  {
+    const double ratio = tangential_noise_ratio<ConcurrencyTag>(mesh, observed, m_noise, m_parameters);
+    m_noise_turns_faces = m_noise_turns_faces || ratio > m_parameters.turning_ratio;
+    const double certainty = (ratio - m_parameters.least_tangential_ratio)
+                           / (m_parameters.sure_tangential_ratio - m_parameters.least_tangential_ratio);
+    if(!(certainty > 0))
+      return;
+    const std::vector<Point_3> before = mesh.points();
+    if(m_parameters.unfold_faces)
+      Face_unfolding<ConcurrencyTag>(mesh, observed, is_movable, neighbors, m_noise, true, m_parameters).run();
+    relax_along_surface<ConcurrencyTag>(mesh, is_movable, neighbors,
+                                        m_parameters.sliding_share * (std::min)(certainty, 1.), m_parameters);
+
+    std::vector<Vector_3> normals;
+    compute_vertex_normals<ConcurrencyTag>(mesh, normals);
+    if(original.empty())
+      original = observed;
+    for_each_index<ConcurrencyTag>(observed.size(), [&](const std::size_t v)
+    {
+      const Vector_3 move = mesh.point(v) - before[v];
+      observed[v] = observed[v] + (move - (move * normals[v]) * normals[v]);
+    });
   }
 
   // Impulses leave the median of the residuals, on which the noise level rests, as it is. Returns whether it was wrong
@@ -203,37 +233,68 @@ private:
       const Patch_blend<ConcurrencyTag> blend(mesh, observed, is_movable, m_noise, m_mean_edge_length, m_parameters);
       m_face_normals = blend.face_normals();
       points = blend.points();
-      m_leverages = blend.leverages();
+      m_noise_shares = blend.leverages();
     }
+    for(double& l : m_noise_shares)
+      l = (l + m_parameters.adaptation_factor * (std::max)(0., l - m_parameters.unadapted_leverage)) * m_noise * m_noise;
     mesh.swap_points(points);
     Normal_evolution<ConcurrencyTag>().move_to_agree(mesh, is_movable, m_face_normals,
-                                                     m_parameters.final_number_of_moves);
+                                                     m_parameters.patch_number_of_moves);
   }
 
-  // the covariance of the noise and the result of the patches at vertex `v`
-  double patch_noise_share(const std::size_t v) const
+  // Patches are best where the surface is made of smooth pieces, the gentle path where it is full of detail, and the linear
+  // one where triangles are smaller than the noise
+  void mix_with_paths(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed,
+                      const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors)
   {
-    const double l = m_leverages[v];
-    return (l + m_parameters.adaptation_factor * (std::max)(0., l - m_parameters.unadapted_leverage))
-         * m_noise * m_noise;
+    std::vector<Vector_3> normals;
+    compute_vertex_normals<ConcurrencyTag>(mesh, normals);
+    const std::vector<double> disturbances = make_disturbances(mesh, observed, is_movable);
+    if(m_parameters.use_gentle_path)
+    {
+      Estimate estimate;
+      {
+        Gentle_path<ConcurrencyTag> path(mesh, observed, is_movable, neighbors, normals, disturbances, m_noise,
+                                         m_mean_edge_length, m_parameters);
+        estimate = estimate_along<ConcurrencyTag>(path, observed, normals, neighbors, m_noise,
+                                                  m_parameters.gentle_global_band_ends,
+                                                  m_parameters.gentle_local_band_ends, m_parameters);
+      }
+      mix(mesh, observed, normals, neighbors, estimate);
+    }
+    if(m_parameters.use_linear_path)
+    {
+      Estimate estimate;
+      {
+        Linear_path<ConcurrencyTag> path(observed, is_movable, neighbors, disturbances, m_parameters);
+        estimate = estimate_along<ConcurrencyTag>(path, observed, normals, neighbors, m_noise,
+                                                  m_parameters.linear_global_band_ends,
+                                                  m_parameters.linear_local_band_ends, m_parameters);
+      }
+      mix(mesh, observed, normals, neighbors, estimate);
+    }
   }
 
-  // Patches are best where the surface is made of smooth pieces, the gentle estimate where it is full of detail
+  // mixes the result so far with another estimate, which has nothing to say where it has not left the observed points
   void mix(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed, const std::vector<Vector_3>& normals,
-           const Vertex_neighbors& neighbors, const Gentle_estimate& gentle)
+           const Vertex_neighbors& neighbors, Estimate& estimate)
   {
     const std::size_t n = mesh.number_of_vertices();
     std::vector<Mixing_moments<1> > moments(n);
     for_each_index<ConcurrencyTag>(n, [&](const std::size_t v)
     {
-      // what vertices slide along the surface does not count
-      const double difference = (gentle.points[v] - mesh.point(v)) * normals[v];
-      const double noise_share = gentle.noise_shares[v] - patch_noise_share(v);
+      if(estimate.points[v] == observed[v])
+      {
+        estimate.points[v] = mesh.point(v);
+        estimate.noise_shares[v] = m_noise_shares[v];
+      }
+      const double difference = (estimate.points[v] - mesh.point(v)) * normals[v];
+      const double noise_share = estimate.noise_shares[v] - m_noise_shares[v];
       moments[v].products[0] = float((observed[v] - mesh.point(v)) * normals[v] * difference - noise_share);
       moments[v].squares[0] = float(difference * difference);
     });
     std::vector<std::array<float, 1> > weights
-      = local_weights<ConcurrencyTag>(neighbors, m_parameters, m_noise * m_noise, m_parameters.patch_penalty, moments);
+      = local_weights<ConcurrencyTag>(neighbors, m_parameters, m_noise * m_noise, m_parameters.mixing_penalty, moments);
 
     // the mean of two good estimates is worse than the better one where edges are concerned
     for_each_index<ConcurrencyTag>(n, [&](const std::size_t v)
@@ -243,21 +304,26 @@ private:
         w = w * w * (3 - 2 * w);
     });
 
-    std::vector<Point_3> points = gentle.points;
-    std::vector<Vector_3> gentle_normals;
-    std::vector<double> areas;
+    std::vector<Point_3> points(n);
+    for_each_index<ConcurrencyTag>(n, [&](const std::size_t v)
+    {
+      const double w = weights[v][0];
+      points[v] = mesh.point(v) + w * (estimate.points[v] - mesh.point(v));
+      m_noise_shares[v] += w * (estimate.noise_shares[v] - m_noise_shares[v]);
+    });
     mesh.swap_points(points);
-    compute_face_normals<ConcurrencyTag>(mesh, gentle_normals, areas);
+
+    std::vector<Vector_3> mixed_normals;
+    std::vector<double> areas;
+    compute_face_normals<ConcurrencyTag>(mesh, mixed_normals, areas);
+    replace_turned_normals<ConcurrencyTag>(mesh, areas, m_parameters.agreement, mixed_normals);
     for_each_index<ConcurrencyTag>(mesh.number_of_faces(), [&](const std::size_t f)
     {
       double w = 0;
       for(const Index v : mesh.vertices(f))
         w += weights[v][0] / 3;
-      m_face_normals[f] = normalized_or((1 - w) * m_face_normals[f] + w * gentle_normals[f], m_face_normals[f]);
+      m_face_normals[f] = normalized_or((1 - w) * m_face_normals[f] + w * mixed_normals[f], m_face_normals[f]);
     });
-    for_each_index<ConcurrencyTag>(n, [&](const std::size_t v)
-    { points[v] = points[v] + double(weights[v][0]) * (gentle.points[v] - points[v]); });
-    mesh.swap_points(points);
   }
 
   Adaptive_parameters m_parameters;
@@ -266,7 +332,8 @@ private:
   double m_mean_edge_length;
   double m_noise; // in the unit of the coordinates
   std::vector<Vector_3> m_face_normals;
-  std::vector<double> m_leverages;
+  std::vector<double> m_noise_shares; // of the result so far, see mixing.h
+  bool m_noise_turns_faces = false;
   std::vector<Vector_3> m_vertex_normals;
 };
 

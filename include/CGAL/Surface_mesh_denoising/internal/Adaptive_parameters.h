@@ -25,6 +25,8 @@ struct Adaptive_parameters
   bool use_adaptive_neighborhoods = true;
   bool use_adaptive_degree = true;
   bool use_gentle_path = true;
+  bool use_linear_path = true;
+  bool remove_tangential_noise = true;
   bool unfold_faces = true;
   bool preserve_volume = true;
 
@@ -45,23 +47,35 @@ struct Adaptive_parameters
   double pilot_last_range = 1;                  // times noise
   double pilot_maximal_last_range = 0.3;
 
-  // The gentle path: wide ranges, which spare small detail as they tell little from noise, and many small steps.
-  double gentle_first_range = 6;                // times noise
-  double gentle_last_range = 3;                 // times noise
-  double gentle_range_steps = 4;                // the range reaches its last value in so many steps
+  // The share of the area around a face that the sum of the area vectors there must have to tell which side is out.
+  double agreement = 0.75;
+
+  // Noise along the surface, by the ratio in tangential_noise.h
+  double least_share_of_turned_faces = 1e-3;    // adds to the number that is expected
+  double turning_ratio = 0.1;                   // above this, noise may have turned any face,
+  double least_tangential_ratio = 0.25;         // and vertices slide, the further,
+  double sure_tangential_ratio = 0.4;           // up to this, the larger it is
+  std::size_t sliding_number_of_steps = 3;
+  double sliding_share = 0.5;                   // of the way to the center of the neighbors
+  double sliding_range = 0.3;                   // of the deviation of normals around a vertex
+
+  // The gentle path: a wide range, which spares small detail as it tells little from noise, and many small steps.
+  double gentle_range = 5.5;                    // times noise
   double gentle_normal_growth = 0.625;          // step k filters the normals 1 + growth (noise k)^2 times
   double gentle_move_growth = 1;                // and moves the vertices 2 + growth noise k times
   std::size_t gentle_maximal_growth = 4;
   double largest_range = 1.5;
-  // The path is cut into bands at these steps. The first, the finest, hold so much noise that only the whole mesh tells
-  // what else they hold.
-  static constexpr std::size_t number_of_local_bands = 5;
-  std::array<std::size_t, 3> global_band_ends = {{ 1, 2, 4 }};
-  std::array<std::size_t, number_of_local_bands - 1> local_band_ends = {{ 6, 9, 13, 19 }};
-  // The last band is a relaxation.
+  std::size_t gentle_number_of_steps = 19;      // and then one step of relaxation
+  std::array<std::size_t, 3> gentle_global_band_ends = {{ 1, 2, 4 }};
+  std::array<std::size_t, 5> gentle_local_band_ends = {{ 6, 9, 13, 19, 20 }};
   std::size_t number_of_relaxations = 3;
   double relaxation_range_along_normals = 0.25; // times noise
   double relaxation_range_across_normals = 0.75;
+
+  // The linear path. One step smooths with lambda and then with mu
+  std::array<double, 2> lambda_mu = {{ 0.5, -0.53 }};
+  std::array<std::size_t, 1> linear_global_band_ends = {{ 10 }};
+  std::array<std::size_t, 1> linear_local_band_ends = {{ 40 }};
 
   // Patches
   double normal_weight = 150;
@@ -76,26 +90,26 @@ struct Adaptive_parameters
   std::size_t least_cover = 8;                  // patches over each face
   std::size_t number_of_rounds = 8;             // in which seeds are chosen
   double tangential_weight = 0.01;              // holds a vertex in the directions that its patches leave free
-  std::size_t final_number_of_moves = 3;
+  std::size_t patch_number_of_moves = 3;
 
   // Mixing. Local sums run over a window made by averaging over neighbors again and again.
   std::size_t window_number_of_averages = 80;
   double window_points_per_average = 6.2;       // the window then has about so many points for each average
-  double gentle_penalty = 3;                    // how far local weights keep to that of the whole mesh
-  double patch_penalty = 16;
+  double band_penalty = 3;                      // how far local weights keep to that of the whole mesh
+  double mixing_penalty = 32;                   // that of two estimates
   // The fits of patches follow the noise by their leverages, and where their sizes were chosen to follow detail, they follow
   // the noise by that choice, too.
   double unadapted_leverage = 0.016;            // that of patches of the largest size
   double adaptation_factor = 1.5;               // of what leverages have beyond
-  std::size_t number_of_sharpenings = 3;        // of the weight between the two estimates
+  std::size_t number_of_sharpenings = 2;        // of the weight between two estimates
+  std::size_t final_number_of_moves = 6;
 
   // Faces that face against their surroundings
   std::size_t unfolding_number_of_rounds = 20;
   std::size_t unfolding_rounds_of_centers = 3;  // before vertices may move in another way
-  double unfolding_agreement = 0.75;            // the share of the area that the sum of the area vectors around has
-  double unfolding_sure_area = 4;               // faces that are larger, times noise^2, may be turned by the shape,
-  double unfolding_share_by_shape = 5e-4;       // if no more than this share of all faces is turned,
-  double unfolding_largest_area = 20;           // and those larger than this, times noise^2, in any case
+  double unfolding_agreement = 0.6;             // as above
+  double unfolding_share_by_shape = 5e-4;       // no more than this share of all faces is turned by the shape
+  double unfolding_largest_area = 20;           // faces larger than this, times noise^2, are not turned by noise
   double unfolding_flatness = 0.6;              // the cosine of the largest angle at a vertex that goes to a center
   double unfolding_cosine = 0.1;                // that of the largest angle of a face there
   double unfolding_reach = 4;                   // times noise

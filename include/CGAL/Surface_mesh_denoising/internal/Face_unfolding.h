@@ -41,11 +41,12 @@ class Face_unfolding
   typedef Indexed_triangle_mesh::Vector_3   Vector_3;
 
 public:
-  // keeps references
-  Face_unfolding(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
-                 const double noise, const Adaptive_parameters& parameters)
-    : m_mesh(mesh), m_is_movable(is_movable), m_neighbors(neighbors), m_parameters(parameters),
-      m_squared_noise(noise * noise), m_original(mesh.points()), m_outwards(mesh.number_of_faces()),
+  // `noise_turns_faces` tells that noise may have turned faces of `observed`. Keeps references
+  Face_unfolding(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed, const std::vector<bool>& is_movable,
+                 const Vertex_neighbors& neighbors, const double noise, const bool noise_turns_faces,
+                 const Adaptive_parameters& parameters)
+    : m_mesh(mesh), m_observed(observed), m_is_movable(is_movable), m_neighbors(neighbors), m_parameters(parameters),
+      m_squared_noise(noise * noise), m_noise_turns_faces(noise_turns_faces), m_original(mesh.points()), m_outwards(mesh.number_of_faces()),
       m_mean_areas(mesh.number_of_faces()), m_is_folded(mesh.number_of_faces())
   {}
 
@@ -71,34 +72,27 @@ public:
   }
 
 private:
-  // Where the faces around do not agree, as at an edge, a turned face may be part of the shape, and where faces are large
-  // beside the noise as well: the more so if there are few of them in the whole mesh.
+  // Where the faces around do not agree, as at an edge, a turned face may be part of the shape. So may one that is turned in
+  // the observed mesh, unless noise has done that, or there are many in the whole mesh.
   void find_folded_faces(const bool is_first_round)
   {
     compute_face_normals<ConcurrencyTag>(m_mesh, m_normals, m_areas);
     for_each_index<ConcurrencyTag>(m_mesh.number_of_faces(), [&](const std::size_t f)
     {
-      const auto faces = m_mesh.faces_around_face(f);
-      Vector_3 sum(0, 0, 0);
-      double area = 0;
-      for(const Index g : faces)
-      {
-        sum += m_areas[g] * m_normals[g];
-        area += m_areas[g];
-      }
-      m_outwards[f] = normalized_or_null(sum);
-      m_mean_areas[f] = area / double((std::max)(faces.size(), std::size_t(1)));
-      m_is_folded[f] = m_outwards[f] * m_normals[f] < 0
-                    && m_outwards[f] * sum > m_parameters.unfolding_agreement * area
+      const Surroundings around = surroundings(m_mesh, f, m_normals, m_areas);
+      m_outwards[f] = normalized_or_null(around.area_vector);
+      m_mean_areas[f] = around.area / double((std::max)(m_mesh.faces_around_face(f).size(), std::size_t(1)));
+      m_is_folded[f] = m_outwards[f] * m_normals[f] < 0 && around.agree(m_parameters.unfolding_agreement)
                     && m_mean_areas[f] <= m_parameters.unfolding_largest_area * m_squared_noise;
     });
     if(is_first_round)
-      m_are_many_folded = double(std::count(m_is_folded.begin(), m_is_folded.end(), 1))
-                        > m_parameters.unfolding_share_by_shape * double(m_mesh.number_of_faces());
-    if(!m_are_many_folded)
+      m_noise_turns_faces = m_noise_turns_faces
+                         || double(std::count(m_is_folded.begin(), m_is_folded.end(), 1))
+                            > m_parameters.unfolding_share_by_shape * double(m_mesh.number_of_faces());
+    if(!m_noise_turns_faces)
       for_each_index<ConcurrencyTag>(m_mesh.number_of_faces(), [&](const std::size_t f)
       {
-        if(m_mean_areas[f] > m_parameters.unfolding_sure_area * m_squared_noise)
+        if(m_is_folded[f] && area_vector(m_mesh, f, m_observed) * m_outwards[f] < 0)
           m_is_folded[f] = 0;
       });
   }
@@ -139,18 +133,15 @@ private:
   bool go_to_center(const std::size_t v, Point_3& point) const
   {
     const auto faces = m_mesh.faces_around_vertex(v);
-    Vector_3 normal(0, 0, 0), move(0, 0, 0);
+    Vector_3 normal(0, 0, 0);
     for(const Index f : faces)
       normal += m_areas[f] * m_normals[f];
     normal = normalized_or_null(normal);
     if(std::any_of(faces.begin(), faces.end(),
                    [&](const Index f) { return m_outwards[f] * normal < m_parameters.unfolding_flatness; }))
       return false;
-    for(const Index w : m_neighbors(v))
-      move += m_mesh.point(w) - m_mesh.point(v);
-    move = move / double(m_neighbors(v).size());
-    move -= (move * normal) * normal;
-    return move_by_share(v, move, m_parameters.unfolding_cosine, 0, point);
+    const Vector_3 move = to_center(m_mesh, m_neighbors, v);
+    return move_by_share(v, move - (move * normal) * normal, m_parameters.unfolding_cosine, 0, point);
   }
 
   // Least squares of what the faces lack of their least areas, and of what the vertex leaves the planes of the others by.
@@ -205,16 +196,17 @@ private:
   }
 
   Indexed_triangle_mesh& m_mesh;
+  const std::vector<Point_3>& m_observed;
   const std::vector<bool>& m_is_movable;
   const Vertex_neighbors& m_neighbors;
   const Adaptive_parameters& m_parameters;
   double m_squared_noise;
+  bool m_noise_turns_faces;
 
   std::vector<Point_3> m_original;
   std::vector<Vector_3> m_normals, m_outwards; // of the faces, and of the faces around them
   std::vector<double> m_areas, m_mean_areas;   // likewise
   std::vector<std::uint8_t> m_is_folded;
-  bool m_are_many_folded = false;
 };
 
 } // namespace internal

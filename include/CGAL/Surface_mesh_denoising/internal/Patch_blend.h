@@ -64,6 +64,7 @@ public:
     compute_face_normals<ConcurrencyTag>(mesh, m_normals, areas);
     if(!(m_extent > 0))
       return;
+    replace_turned_normals<ConcurrencyTag>(mesh, areas, parameters.agreement, m_normals);
 
     std::vector<std::array<Dual_edge, 3> > dual_edges;
     const Indexed_dual_graph dual(mesh, m_normals, parameters.normal_weight, dual_edges, ConcurrencyTag());

@@ -64,6 +64,16 @@ private:
   std::vector<bool> m_is_at_border;
 };
 
+// from vertex `v`, which has neighbors, to their center
+inline Indexed_triangle_mesh::Vector_3 to_center(const Indexed_triangle_mesh& mesh, const Vertex_neighbors& neighbors,
+                                                 const std::size_t v)
+{
+  Indexed_triangle_mesh::Vector_3 sum(0, 0, 0);
+  for(const Indexed_triangle_mesh::Index w : neighbors(v))
+    sum += mesh.point(w) - mesh.point(v);
+  return sum / double(neighbors(v).size());
+}
+
 } // namespace internal
 } // namespace Surface_mesh_denoising
 } // namespace CGAL

@@ -24,16 +24,24 @@ namespace CGAL {
 namespace Surface_mesh_denoising {
 namespace internal {
 
+// An estimate of the surface, and for each vertex its noise share: the covariance, along the normal, of the noise and the
+// estimate (Stein). That is what the estimate changes by when a known disturbance is added to the noise, times that
+// disturbance, in the mean.
+struct Estimate
+{
+  std::vector<Indexed_triangle_mesh::Point_3> points;
+  std::vector<double> noise_shares;
+};
+
 // What the choice between a coarse and a fine estimate rests on, at one vertex and summed over a window. With
 // y the observed point, c and f the two estimates, the least squared error of c + t (f - c) to the true surface is at
-//   t = [(y - c).(f - c) - noise share] / |f - c|^2,
-// where the noise share is that of the noise of y in f - c (Stein): what f - c changes by when a known disturbance is
-// added to y, times that disturbance.
+//   t = [(y - c) (f - c) - (noise share of f - that of c)] / (f - c)^2,
+// where all differences are along the normal: what vertices slide along the surface does not count.
 template <std::size_t N>
 struct Mixing_moments
 {
-  std::array<float, N> products;   // (y - c).(f - c) - noise share
-  std::array<float, N> squares;    // |f - c|^2
+  std::array<float, N> products;   // (y - c) (f - c) - noise share
+  std::array<float, N> squares;    // (f - c)^2
 };
 
 // replaces the moments of each vertex by the mean of them and its neighbors' moments, again and again
@@ -72,7 +80,7 @@ void average_over_neighbors(const Vertex_neighbors& neighbors, const std::size_t
 struct Weight_of_mesh
 {
   double weight;
-  double square; // the sum of |f - c|^2
+  double square; // the sum of (f - c)^2
 };
 
 // `product(v)` and `square(v)` are the moments at vertex v

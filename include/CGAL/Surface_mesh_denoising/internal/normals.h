@@ -121,6 +121,52 @@ void compute_vertex_normals(const Indexed_triangle_mesh& mesh, std::vector<Index
   compute_vertex_normals<ConcurrencyTag>(mesh, face_normals, areas, normals);
 }
 
+// that of face `f`, as `Indexed_triangle_mesh::area_vector()`, with the vertices at `points`
+inline Indexed_triangle_mesh::Vector_3 area_vector(const Indexed_triangle_mesh& mesh, const std::size_t f,
+                                                   const std::vector<Indexed_triangle_mesh::Point_3>& points)
+{
+  const std::array<Indexed_triangle_mesh::Index, 3>& t = mesh.vertices(f);
+  return cross_product(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
+}
+
+// The area vectors of the faces around a face, without its own, summed up, and their areas
+struct Surroundings
+{
+  Indexed_triangle_mesh::Vector_3 area_vector;
+  double area;
+
+  // whether that sum is as long as this share of the area: less than that, as at an edge, tells no side of the surface
+  bool agree(const double share) const { return area_vector.squared_length() > share * share * area * area; }
+};
+
+inline Surroundings surroundings(const Indexed_triangle_mesh& mesh, const std::size_t f,
+                                 const std::vector<Indexed_triangle_mesh::Vector_3>& normals,
+                                 const std::vector<double>& areas)
+{
+  Surroundings s = { Indexed_triangle_mesh::Vector_3(0, 0, 0), 0 };
+  for(const Indexed_triangle_mesh::Index g : mesh.faces_around_face(f))
+  {
+    s.area_vector += areas[g] * normals[g];
+    s.area += areas[g];
+  }
+  return s;
+}
+
+// gives faces that face against their surroundings the normal of these
+template <typename ConcurrencyTag>
+void replace_turned_normals(const Indexed_triangle_mesh& mesh, const std::vector<double>& areas,
+                            const double agreement, std::vector<Indexed_triangle_mesh::Vector_3>& normals)
+{
+  std::vector<Indexed_triangle_mesh::Vector_3> replaced(normals.size());
+  for_each_index<ConcurrencyTag>(normals.size(), [&](const std::size_t f)
+  {
+    const Surroundings around = surroundings(mesh, f, normals, areas);
+    replaced[f] = (normals[f] * around.area_vector < 0 && around.agree(agreement))
+                ? normalized_or(around.area_vector, normals[f]) : normals[f];
+  });
+  normals.swap(replaced);
+}
+
 // for each face the mean of the normals of its vertices
 template <typename ConcurrencyTag>
 void average_vertex_normals(const Indexed_triangle_mesh& mesh,

@@ -1,0 +1,141 @@
+// Copyright (c) 2026  The Surface_mesh_denoising authors.
+// All rights reserved.
+//
+// This file is part of the CGAL-style package Surface_mesh_denoising.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_DENOISING_INTERNAL_GENTLE_PATH_H
+#define CGAL_SURFACE_MESH_DENOISING_INTERNAL_GENTLE_PATH_H
+
+#include <CGAL/license/Surface_mesh_denoising.h>
+
+#include <CGAL/Surface_mesh_denoising/Indexed_triangle_mesh.h>
+#include <CGAL/Surface_mesh_denoising/internal/Adaptive_parameters.h>
+#include <CGAL/Surface_mesh_denoising/internal/Normal_evolution.h>
+#include <CGAL/Surface_mesh_denoising/internal/Vertex_neighbors.h>
+#include <CGAL/Surface_mesh_denoising/internal/parallel.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_denoising {
+namespace internal {
+
+// A path that spares small detail (see Path_estimate.h): many gentle steps of bilateral normals and normal-driven moves,
+// each of which takes more of the noise and more of the shape away, and as the last step a relaxation of what noise is
+// left between neighbors. The path is gone by the observed points and by disturbed ones.
+template <typename ConcurrencyTag>
+class Gentle_path
+{
+  typedef Indexed_triangle_mesh::Point_3    Point_3;
+  typedef Indexed_triangle_mesh::Vector_3   Vector_3;
+
+public:
+  // `noise` is in the unit of the coordinates, `disturbances` are lengths along `normals` of about that. Keeps references,
+  // and uses `mesh`, which is as before when the path is destroyed
+  Gentle_path(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed, const std::vector<bool>& is_movable,
+              const Vertex_neighbors& neighbors, const std::vector<Vector_3>& normals,
+              const std::vector<double>& disturbances, const double noise, const double mean_edge_length,
+              const Adaptive_parameters& parameters)
+    : m_mesh(mesh), m_is_movable(is_movable), m_neighbors(neighbors), m_normals(normals),
+      m_disturbances(disturbances), m_noise(noise), m_relative_noise(noise / mean_edge_length), m_parameters(parameters),
+      m_points_before(observed), m_disturbed(observed.size())
+  {
+    for_each_index<ConcurrencyTag>(observed.size(), [&](const std::size_t v)
+    { m_disturbed[v] = observed[v] + disturbances[v] * normals[v]; });
+    m_mesh.swap_points(m_points_before);
+  }
+
+  Gentle_path(const Gentle_path&) = delete;
+  Gentle_path& operator=(const Gentle_path&) = delete;
+
+  ~Gentle_path() { m_mesh.swap_points(m_points_before); }
+
+  const Point_3& point(const std::size_t v) const { return m_mesh.point(v); }
+
+  double noise_share(const std::size_t v) const
+  {
+    return m_disturbances[v] * (m_normals[v] * (m_disturbed[v] - m_mesh.point(v)));
+  }
+
+  void go_to(const std::size_t end)
+  {
+    if(m_step < (std::min)(end, m_parameters.gentle_number_of_steps))
+      m_evolve.update_weights(m_mesh);
+    for(; m_step<end; ++m_step)
+    {
+      if(m_step >= m_parameters.gentle_number_of_steps)
+      {
+        m_evolve = Normal_evolution<ConcurrencyTag>();
+        twice([&]() { relax(); });
+      }
+      else
+        twice([&]() { m_evolve(m_mesh, m_is_movable, step()); });
+    }
+  }
+
+private:
+  template <typename Action>
+  void twice(const Action& action)
+  {
+    action();
+    m_mesh.swap_points(m_disturbed);
+    action();
+    m_mesh.swap_points(m_disturbed);
+  }
+
+  Evolution_step step() const
+  {
+    const Adaptive_parameters& p = m_parameters;
+    const auto growth = [&](const double g) { return std::size_t((std::min)(g, double(p.gentle_maximal_growth))); };
+    const double progress = m_relative_noise * double(m_step);
+    return { (std::min)(p.gentle_range * m_relative_noise, p.largest_range), false,
+             1 + growth(p.gentle_normal_growth * progress * progress), 2 + growth(p.gentle_move_growth * progress) };
+  }
+
+  // Lambda-mu smoothing (Taubin), of what noise may have left only: a vertex far from the center of its neighbors, beside
+  // the noise, stays, and moves along its normal and across it count each for itself.
+  void relax()
+  {
+    const auto factor_of_range = [&](const double range) { return 0.5 / (range * range * m_noise * m_noise); };
+    const double factor_along = factor_of_range(m_parameters.relaxation_range_along_normals);
+    const double factor_across = factor_of_range(m_parameters.relaxation_range_across_normals);
+    std::vector<Point_3> points(m_mesh.number_of_vertices());
+    for(std::size_t k=0; k<2*m_parameters.number_of_relaxations; ++k)
+    {
+      const double share = m_parameters.lambda_mu[k % 2];
+      for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
+      {
+        points[v] = m_mesh.point(v);
+        if(!m_is_movable[v] || m_neighbors.is_at_border(v) || m_neighbors(v).empty())
+          return;
+        const Vector_3 whole = to_center(m_mesh, m_neighbors, v);
+        const Vector_3 along = (whole * m_normals[v]) * m_normals[v], across = whole - along;
+        points[v] = points[v] + (share * bell(factor_along * along.squared_length())) * along
+                              + (share * bell(factor_across * across.squared_length())) * across;
+      });
+      m_mesh.swap_points(points);
+    }
+  }
+
+  Indexed_triangle_mesh& m_mesh;
+  const std::vector<bool>& m_is_movable;
+  const Vertex_neighbors& m_neighbors;
+  const std::vector<Vector_3>& m_normals;
+  const std::vector<double>& m_disturbances;
+  double m_noise, m_relative_noise;
+  const Adaptive_parameters& m_parameters;
+
+  std::vector<Point_3> m_points_before, m_disturbed;
+  Normal_evolution<ConcurrencyTag> m_evolve;
+  std::size_t m_step = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_denoising
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_DENOISING_INTERNAL_GENTLE_PATH_H

@@ -1,0 +1,116 @@
+// Copyright (c) 2026  The Surface_mesh_denoising authors.
+// All rights reserved.
+//
+// This file is part of the CGAL-style package Surface_mesh_denoising.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_DENOISING_INTERNAL_TANGENTIAL_NOISE_H
+#define CGAL_SURFACE_MESH_DENOISING_INTERNAL_TANGENTIAL_NOISE_H
+
+#include <CGAL/license/Surface_mesh_denoising.h>
+
+#include <CGAL/Surface_mesh_denoising/Indexed_triangle_mesh.h>
+#include <CGAL/Surface_mesh_denoising/internal/Adaptive_parameters.h>
+#include <CGAL/Surface_mesh_denoising/internal/Normal_evolution.h>
+#include <CGAL/Surface_mesh_denoising/internal/Vertex_neighbors.h>
+#include <CGAL/Surface_mesh_denoising/internal/normals.h>
+#include <CGAL/Surface_mesh_denoising/internal/parallel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_denoising {
+namespace internal {
+
+// How many faces the observed points turn over, as seen from outside the smoother surface `mesh`, beside how many they
+// would if the noise were as strong along the surface as across it. About one half to one if it is, while noise
+// along the normals turns none where the normals are known; `noise` is in the unit of the coordinates.
+template <typename ConcurrencyTag>
+double tangential_noise_ratio(const Indexed_triangle_mesh& mesh,
+                              const std::vector<Indexed_triangle_mesh::Point_3>& observed, const double noise,
+                              const Adaptive_parameters& parameters)
+{
+  typedef Indexed_triangle_mesh::Vector_3 Vector_3;
+
+  std::vector<Vector_3> normals;
+  std::vector<double> areas;
+  compute_face_normals<ConcurrencyTag>(mesh, normals, areas);
+  struct Counts
+  {
+    bool is_known, is_turned;
+    double expected;
+  };
+  std::vector<Counts> counts(mesh.number_of_faces());
+  for_each_index<ConcurrencyTag>(counts.size(), [&](const std::size_t f)
+  {
+    const Surroundings around = surroundings(mesh, f, normals, areas);
+    counts[f] = Counts{ false, false, 0 };
+    if(!around.agree(parameters.agreement))
+      return;
+    double longest_edge = 0;
+    for(int i=0; i<3; ++i)
+      longest_edge = (std::max)(longest_edge, mesh.edge_length(f, i));
+    // A face turns when a vertex passes the opposite edge: their distance changes by a vertex's own noise and
+    // about half of that of the edge's
+    const double height = (longest_edge > 0) ? 2 * areas[f] / longest_edge : 0;
+    counts[f].is_known = true;
+    counts[f].is_turned = area_vector(mesh, f, observed) * around.area_vector < 0;
+    counts[f].expected = 0.5 * std::erfc(height / (std::sqrt(2 * 1.5) * noise));
+  });
+  const auto total = [&](const auto& value)
+  { return sum<ConcurrencyTag>(counts.size(), [&](const std::size_t f) { return double(value(counts[f])); }); };
+  const double whole = total([](const Counts& c) { return c.is_known; });
+  if(!(whole > 0))
+    return 0;
+  // a few turned faces, out of thousands, tell nothing
+  return total([](const Counts& c) { return c.is_turned; })
+       / (total([](const Counts& c) { return c.expected; }) + parameters.least_share_of_turned_faces * whole);
+}
+
+// Vertices slide towards the centers of their neighbors, where the surface is smooth
+template <typename ConcurrencyTag>
+void relax_along_surface(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable,
+                         const Vertex_neighbors& neighbors, const double share, const Adaptive_parameters& parameters)
+{
+  typedef Indexed_triangle_mesh::Index      Index;
+  typedef Indexed_triangle_mesh::Point_3    Point_3;
+  typedef Indexed_triangle_mesh::Vector_3   Vector_3;
+
+  const double factor = 0.5 / (parameters.sliding_range * parameters.sliding_range);
+  std::vector<Vector_3> normals, vertex_normals;
+  std::vector<double> areas;
+  std::vector<Point_3> points(mesh.number_of_vertices());
+  for(std::size_t k=0; k<parameters.sliding_number_of_steps; ++k)
+  {
+    compute_face_normals<ConcurrencyTag>(mesh, normals, areas);
+    compute_vertex_normals<ConcurrencyTag>(mesh, normals, areas, vertex_normals);
+    for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
+    {
+      points[v] = mesh.point(v);
+      if(!is_movable[v] || neighbors.is_at_border(v) || neighbors(v).empty())
+        return;
+      const Vector_3& normal = vertex_normals[v];
+      double deviation = 0, area = 0;
+      for(const Index f : mesh.faces_around_vertex(v))
+      {
+        deviation += areas[f] * (normals[f] - normal).squared_length();
+        area += areas[f];
+      }
+      if(!(area > 0))
+        return;
+      const Vector_3 move = to_center(mesh, neighbors, v);
+      points[v] = points[v] + (share * bell(factor * deviation / area)) * (move - (move * normal) * normal);
+    });
+    mesh.swap_points(points);
+  }
+}
+
+} // namespace internal
+} // namespace Surface_mesh_denoising
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_DENOISING_INTERNAL_TANGENTIAL_NOISE_H
