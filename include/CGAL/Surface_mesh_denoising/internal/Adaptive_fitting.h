@@ -235,8 +235,11 @@ private:
       points = blend.points();
       m_noise_shares = blend.leverages();
     }
-    for(double& l : m_noise_shares)
-      l = (l + m_parameters.adaptation_factor * (std::max)(0., l - m_parameters.unadapted_leverage)) * m_noise * m_noise;
+    for(double& share : m_noise_shares)
+    {
+      const double by_adaptation = (std::max)(0., share - m_parameters.unadapted_leverage);
+      share = (share + m_parameters.adaptation_factor * by_adaptation) * m_noise * m_noise;
+    }
     mesh.swap_points(points);
     Normal_evolution<ConcurrencyTag>().move_to_agree(mesh, is_movable, m_face_normals,
                                                      m_parameters.patch_number_of_moves);
