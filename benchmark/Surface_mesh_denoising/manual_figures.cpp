@@ -79,12 +79,17 @@ void write_angles(const std::string& name, const Mesh& mesh, const Mesh& ground_
   }
 }
 
-Mesh generated(const std::string& model, const std::size_t number_of_vertices)
+generated_models::Model generated_model(const std::string& model, const std::size_t number_of_vertices)
 {
   generated_models::Options options;
   options.number_of_vertices = number_of_vertices;
   options.triangles = generated_models::Triangles::IRREGULAR;
-  return generated_models::to_mesh<Mesh>(generated_models::generate(model, options));
+  return generated_models::generate(model, options);
+}
+
+Mesh generated(const std::string& model, const std::size_t number_of_vertices)
+{
+  return generated_models::to_mesh<Mesh>(generated_model(model, number_of_vertices));
 }
 
 template <typename NamedParameters>
@@ -231,18 +236,6 @@ void methods(const std::string& model)
   run("taubin", [](Mesh& m) { SMD::denoise_taubin<Concurrency>(m); });
 }
 
-// scaled by the square of the distance from one of the vertices: triangles are small there, and large far away
-Mesh uneven(Mesh mesh)
-{
-  const auto center = mesh.point(*mesh.vertices().begin());
-  for(const auto v : mesh.vertices())
-  {
-    const auto d = mesh.point(v) - center;
-    mesh.point(v) = center + d.squared_length() * d;
-  }
-  return mesh;
-}
-
 // what each stage of the adaptive method brings: all of them, and all but one
 void ablation(const std::string& title, const Mesh& mesh, const SMD::Noise_direction direction)
 {
@@ -282,7 +275,8 @@ int main(int argc, char* argv[])
       ablation(model, generated(model, 10000), SMD::Noise_direction::NORMAL);
     for(const char* model : { "cad_part", "organic_shape" })
       ablation(std::string(model) + "_in_all_directions", generated(model, 10000), SMD::Noise_direction::RANDOM);
-    ablation("uneven", uneven(generated("organic_shape", 10000)), SMD::Noise_direction::NORMAL);
+    const generated_models::Model uneven = generated_models::uneven(generated_model("organic_shape", 10000));
+    ablation("uneven", generated_models::to_mesh<Mesh>(uneven), SMD::Noise_direction::NORMAL);
     parameters("cad_part", 5000);
     parameters("twirl", 5000);
     parameters("organic_shape", 5000);

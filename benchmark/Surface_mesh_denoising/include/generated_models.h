@@ -71,6 +71,15 @@ TriangleMesh to_mesh(const Model& model)
   return mesh;
 }
 
+// the model, scaled by the square of the distance from its first point: triangles are small there, and large far away
+inline Model uneven(Model model)
+{
+  const Point center = model.points.front();
+  for(Point& p : model.points)
+    p = center + (p - center).squared_length() * (p - center);
+  return model;
+}
+
 // a surface made of patches. Each patch is the image of the unit square, covered with a grid.
 // Patches are sewn where a side of the one has the same end points and the same midpoint as a side of the other
 class Patchwork

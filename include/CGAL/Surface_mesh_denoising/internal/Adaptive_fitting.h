@@ -105,7 +105,7 @@ public:
     if(m_parameters.use_gentle_path || m_parameters.use_linear_path)
       mix_with_paths(mesh, observed, is_movable, neighbors);
     if(m_parameters.unfold_faces)
-      Face_unfolding<ConcurrencyTag>(mesh, observed, is_movable, neighbors, m_noise, m_noise_turns_faces, m_parameters).run();
+      unfold_faces(mesh, observed, is_movable, neighbors);
     Normal_evolution<ConcurrencyTag>().move_to_agree(mesh, is_movable, m_face_normals,
                                                      m_parameters.final_number_of_moves);
     if(m_parameters.preserve_volume)
@@ -153,6 +153,12 @@ private:
     return true;
   }
 
+  void unfold_faces(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed, const std::vector<bool>& is_movable,
+                    const Vertex_neighbors& neighbors) const
+  {
+    Face_unfolding<ConcurrencyTag>(mesh, observed, is_movable, neighbors, m_noise, m_noise_turns_faces, m_parameters).run();
+  }
+
   // Where noise moved vertices along the surface, too, they slide back to where triangles are even, in `mesh` and by the
   // same way in `observed`; `original` keeps what was observed. Unfolding the pilot first keeps large folds from spreading
   void remove_tangential_noise(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable,
@@ -167,7 +173,7 @@ private:
       return;
     const std::vector<Point_3> before = mesh.points();
     if(m_parameters.unfold_faces)
-      Face_unfolding<ConcurrencyTag>(mesh, observed, is_movable, neighbors, m_noise, true, m_parameters).run();
+      unfold_faces(mesh, observed, is_movable, neighbors);
     relax_along_surface<ConcurrencyTag>(mesh, is_movable, neighbors,
                                         m_parameters.sliding_share * (std::min)(certainty, 1.), m_parameters);
 
@@ -253,29 +259,25 @@ private:
     std::vector<Vector_3> normals;
     compute_vertex_normals<ConcurrencyTag>(mesh, normals);
     const std::vector<double> disturbances = make_disturbances(mesh, observed, is_movable);
+    const auto mix_with_path = [&](const auto& make_path, const auto& global_band_ends, const auto& local_band_ends)
+    {
+      Estimate estimate;
+      {
+        auto path = make_path(); // may use `mesh` as long as it lives
+        estimate = estimate_along<ConcurrencyTag>(path, observed, normals, neighbors, m_noise, global_band_ends,
+                                                  local_band_ends, m_parameters);
+      }
+      mix(mesh, observed, normals, neighbors, estimate);
+    };
     if(m_parameters.use_gentle_path)
-    {
-      Estimate estimate;
-      {
-        Gentle_path<ConcurrencyTag> path(mesh, observed, is_movable, neighbors, normals, disturbances, m_noise,
-                                         m_mean_edge_length, m_parameters);
-        estimate = estimate_along<ConcurrencyTag>(path, observed, normals, neighbors, m_noise,
-                                                  m_parameters.gentle_global_band_ends,
-                                                  m_parameters.gentle_local_band_ends, m_parameters);
-      }
-      mix(mesh, observed, normals, neighbors, estimate);
-    }
+      mix_with_path([&]()
+                    {
+                      return Gentle_path<ConcurrencyTag>(mesh, observed, is_movable, neighbors, normals, disturbances,
+                                                         m_noise, m_mean_edge_length, m_parameters);
+                    }, m_parameters.gentle_global_band_ends, m_parameters.gentle_local_band_ends);
     if(m_parameters.use_linear_path)
-    {
-      Estimate estimate;
-      {
-        Linear_path<ConcurrencyTag> path(observed, is_movable, neighbors, disturbances, m_parameters);
-        estimate = estimate_along<ConcurrencyTag>(path, observed, normals, neighbors, m_noise,
-                                                  m_parameters.linear_global_band_ends,
-                                                  m_parameters.linear_local_band_ends, m_parameters);
-      }
-      mix(mesh, observed, normals, neighbors, estimate);
-    }
+      mix_with_path([&]() { return Linear_path<ConcurrencyTag>(observed, is_movable, neighbors, disturbances, m_parameters); },
+                    m_parameters.linear_global_band_ends, m_parameters.linear_local_band_ends);
   }
 
   // mixes the result so far with another estimate, which has nothing to say where it has not left the observed points

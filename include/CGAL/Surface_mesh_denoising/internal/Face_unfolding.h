@@ -46,8 +46,8 @@ public:
                  const Vertex_neighbors& neighbors, const double noise, const bool noise_turns_faces,
                  const Adaptive_parameters& parameters)
     : m_mesh(mesh), m_observed(observed), m_is_movable(is_movable), m_neighbors(neighbors), m_parameters(parameters),
-      m_squared_noise(noise * noise), m_noise_turns_faces(noise_turns_faces), m_original(mesh.points()), m_outwards(mesh.number_of_faces()),
-      m_mean_areas(mesh.number_of_faces()), m_is_folded(mesh.number_of_faces())
+      m_squared_noise(noise * noise), m_noise_turns_faces(noise_turns_faces), m_original(mesh.points()),
+      m_outwards(mesh.number_of_faces()), m_mean_areas(mesh.number_of_faces()), m_is_folded(mesh.number_of_faces())
   {}
 
   void run()

@@ -104,21 +104,21 @@ private:
     const double factor_along = factor_of_range(m_parameters.relaxation_range_along_normals);
     const double factor_across = factor_of_range(m_parameters.relaxation_range_across_normals);
     std::vector<Point_3> points(m_mesh.number_of_vertices());
-    for(std::size_t k=0; k<2*m_parameters.number_of_relaxations; ++k)
-    {
-      const double share = m_parameters.lambda_mu[k % 2];
-      for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
+    for(std::size_t k=0; k<m_parameters.number_of_relaxations; ++k)
+      for(const double share : m_parameters.lambda_mu)
       {
-        points[v] = m_mesh.point(v);
-        if(!m_is_movable[v] || m_neighbors.is_at_border(v) || m_neighbors(v).empty())
-          return;
-        const Vector_3 whole = to_center(m_mesh, m_neighbors, v);
-        const Vector_3 along = (whole * m_normals[v]) * m_normals[v], across = whole - along;
-        points[v] = points[v] + (share * bell(factor_along * along.squared_length())) * along
-                              + (share * bell(factor_across * across.squared_length())) * across;
-      });
-      m_mesh.swap_points(points);
-    }
+        for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
+        {
+          points[v] = m_mesh.point(v);
+          if(!m_is_movable[v] || m_neighbors.is_at_border(v) || m_neighbors(v).empty())
+            return;
+          const Vector_3 whole = to_center(m_mesh, m_neighbors, v);
+          const Vector_3 along = (whole * m_normals[v]) * m_normals[v], across = whole - along;
+          points[v] = points[v] + (share * bell(factor_along * along.squared_length())) * along
+                                + (share * bell(factor_across * across.squared_length())) * across;
+        });
+        m_mesh.swap_points(points);
+      }
   }
 
   Indexed_triangle_mesh& m_mesh;

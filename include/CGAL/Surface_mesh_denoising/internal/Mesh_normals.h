@@ -43,10 +43,8 @@ public:
     std::vector<Vector_3> normals(mesh.number_of_faces());
     for_each_index<ConcurrencyTag>(mesh.number_of_faces(), [&](const std::size_t f)
     {
-      Vector_3 n = m_areas[f] * m_face_normals[f];
-      for(const Indexed_triangle_mesh::Index g : mesh.faces_around_face(f))
-        n += m_areas[g] * m_face_normals[g];
-      normals[f] = normalized_or_null(n);
+      normals[f] = normalized_or_null(m_areas[f] * m_face_normals[f]
+                                      + surroundings(mesh, f, m_face_normals, m_areas).area_vector);
     });
     return normals;
   }
