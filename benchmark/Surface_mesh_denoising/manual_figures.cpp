@@ -237,9 +237,10 @@ void methods(const std::string& model)
 }
 
 // what each stage of the adaptive method brings: all of them, and all but one
-void ablation(const std::string& title, const Mesh& mesh, const SMD::Noise_direction direction)
+template <typename NamedParameters>
+void ablation(const std::string& title, const Mesh& mesh, const NamedParameters& noise)
 {
-  const Mesh noisy = with_noise(mesh, np::noise_level(0.3).noise_direction(direction));
+  const Mesh noisy = with_noise(mesh, noise);
   const auto run = [&](const std::string& name, const auto& parameters)
   {
     Mesh denoised = noisy;
@@ -252,6 +253,7 @@ void ablation(const std::string& title, const Mesh& mesh, const SMD::Noise_direc
   run("use_gentle_path", np::use_gentle_path(false));
   run("use_linear_path", np::use_linear_path(false));
   run("remove_tangential_noise", np::remove_tangential_noise(false));
+  run("remove_impulses", np::remove_impulses(false));
   run("unfold_faces", np::unfold_faces(false));
   run("preserve_volume", np::preserve_volume(false));
 }
@@ -272,11 +274,13 @@ int main(int argc, char* argv[])
     methods("cad_part");
     methods("organic_shape");
     for(const char* model : { "cad_part", "cut_sphere", "organic_shape" })
-      ablation(model, generated(model, 10000), SMD::Noise_direction::NORMAL);
+      ablation(model, generated(model, 10000), np::noise_level(0.3));
     for(const char* model : { "cad_part", "organic_shape" })
-      ablation(std::string(model) + "_in_all_directions", generated(model, 10000), SMD::Noise_direction::RANDOM);
+      ablation(std::string(model) + "_in_all_directions", generated(model, 10000),
+               np::noise_level(0.3).noise_direction(SMD::Noise_direction::RANDOM));
+    ablation("cad_part_with_impulses", generated("cad_part", 10000), np::noise_level(0.5).noise_share(0.1));
     const generated_models::Model uneven = generated_models::uneven(generated_model("organic_shape", 10000));
-    ablation("uneven", generated_models::to_mesh<Mesh>(uneven), SMD::Noise_direction::NORMAL);
+    ablation("uneven", generated_models::to_mesh<Mesh>(uneven), np::noise_level(0.3));
     parameters("cad_part", 5000);
     parameters("twirl", 5000);
     parameters("organic_shape", 5000);

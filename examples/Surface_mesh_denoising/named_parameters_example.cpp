@@ -77,6 +77,7 @@ int main(int argc, char* argv[])
                                                           .use_gentle_path(true)
                                                           .use_linear_path(true)
                                                           .remove_tangential_noise(true)
+                                                          .remove_impulses(true)
                                                           .unfold_faces(true)
                                                           .preserve_volume(true));
   return EXIT_SUCCESS;

@@ -83,6 +83,7 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
   adaptive.use_linear_path = choose_parameter(get_parameter(np, internal_np::use_linear_path), true);
   adaptive.remove_tangential_noise
     = choose_parameter(get_parameter(np, internal_np::remove_tangential_noise), true);
+  adaptive.remove_impulses = choose_parameter(get_parameter(np, internal_np::remove_impulses), true);
   adaptive.unfold_faces = choose_parameter(get_parameter(np, internal_np::unfold_faces), true);
   adaptive.preserve_volume = choose_parameter(get_parameter(np, internal_np::preserve_volume), true);
 
@@ -119,6 +120,8 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 * - <em>Tangential noise</em> turns faces over, by which it is told from noise along the normals. Where it does, vertices slide, before patches
 *   are fitted, to where triangles are even; and faces that face against the faces around them are <em>unfolded</em> in the end. The
 *   few that a mesh has turned by itself stay.
+* - <em>Impulses</em> are told by tails of the distances between the given points and the patches that are too heavy for the most of
+*   them. They are cut off, and pilot and patches made anew.
 * - The surface is offset until it encloses the <em>volume</em> that it did before, which noise leaves as it is, on average.
 * A mesh without noise comes back as it is.
 *
@@ -161,7 +164,7 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *     \cgalParamDescription{Adaptive method: the standard deviation of the noise along the normals, in mean edge lengths of the surface
 *                           without the noise. A larger one than is true smooths more.}
 *     \cgalParamType{double}
-*     \cgalParamDefault{`estimate_noise_level(tmesh)`, corrected for noise with heavy tails}
+*     \cgalParamDefault{`estimate_noise_level(tmesh)`, corrected for impulses}
 *     \cgalParamExtra{The range is all numbers of at least zero.}
 *   \cgalParamNEnd
 *   \cgalParamNBegin{use_adaptive_neighborhoods}
@@ -192,6 +195,13 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *                           is noise along the surface, too.}
 *     \cgalParamType{Boolean}
 *     \cgalParamDefault{`true`}
+*   \cgalParamNEnd
+*   \cgalParamNBegin{remove_impulses}
+*     \cgalParamDescription{Adaptive method: whether impulses, noise that is much stronger at some vertices than at most, are cut off the
+*                           points, and the noise level is corrected accordingly.}
+*     \cgalParamType{Boolean}
+*     \cgalParamDefault{`true`}
+*     \cgalParamExtra{It has no effect if `noise_level` is given. Where there are impulses, it takes about half as much time again.}
 *   \cgalParamNEnd
 *   \cgalParamNBegin{unfold_faces}
 *     \cgalParamDescription{Adaptive method: whether vertices slide along the surface where noise has turned faces against the faces around them.}

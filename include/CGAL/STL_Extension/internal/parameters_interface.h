@@ -40,5 +40,6 @@ CGAL_add_named_parameter(use_adaptive_degree_t, use_adaptive_degree, use_adaptiv
 CGAL_add_named_parameter(use_gentle_path_t, use_gentle_path, use_gentle_path)
 CGAL_add_named_parameter(use_linear_path_t, use_linear_path, use_linear_path)
 CGAL_add_named_parameter(remove_tangential_noise_t, remove_tangential_noise, remove_tangential_noise)
+CGAL_add_named_parameter(remove_impulses_t, remove_impulses, remove_impulses)
 CGAL_add_named_parameter(unfold_faces_t, unfold_faces, unfold_faces)
 CGAL_add_named_parameter(preserve_volume_t, preserve_volume, preserve_volume)

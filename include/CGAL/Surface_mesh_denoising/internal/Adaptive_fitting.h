@@ -87,7 +87,7 @@ public:
     std::vector<Point_3> observed = mesh.points();
     std::vector<Point_3> original; // if other than the observed points
     std::vector<Point_3> pilot;
-    for(bool is_first_round = true; ; is_first_round = false)
+    for(std::size_t round=0; ; ++round)
     {
       if(!run_pilot(mesh, is_movable, report, result))
         return result;
@@ -96,7 +96,8 @@ public:
       pilot = mesh.points();
       fit_patches(mesh, observed, is_movable);
       // with a noise level of the user's there is nothing to correct
-      if(!is_first_round || m_noise_level >= 0 || !correct_noise_level(mesh, observed, is_movable))
+      if(round == m_parameters.impulse_number_of_rounds || m_noise_level >= 0 || !m_parameters.remove_impulses
+         || !remove_impulses(mesh, is_movable, round == 0, observed, original))
         break;
       std::vector<Point_3> points = observed;
       mesh.swap_points(points);
@@ -104,10 +105,12 @@ public:
 
     if(m_parameters.use_gentle_path || m_parameters.use_linear_path)
       mix_with_paths(mesh, observed, is_movable, neighbors);
+    const std::size_t number_of_moves = (std::max)(m_parameters.final_least_number_of_moves,
+                                                   std::size_t(m_parameters.final_number_of_moves * relative_noise()));
+    Normal_evolution<ConcurrencyTag>().move_to_agree(mesh, is_movable, m_face_normals, number_of_moves,
+                                                     m_parameters.final_overrelaxation);
     if(m_parameters.unfold_faces)
       unfold_faces(mesh, observed, is_movable, neighbors);
-    Normal_evolution<ConcurrencyTag>().move_to_agree(mesh, is_movable, m_face_normals,
-                                                     m_parameters.final_number_of_moves);
     if(m_parameters.preserve_volume)
       keep_volume<ConcurrencyTag>(mesh, original.empty() ? observed : original, is_movable, m_noise,
                                   m_parameters.volume_number_of_rounds);
@@ -119,6 +122,8 @@ public:
   }
 
 private:
+  double relative_noise() const { return m_noise / m_mean_edge_length; }
+
   static double largest_displacement(const std::vector<Point_3>& from, const std::vector<Point_3>& to)
   {
     double squared_maximum = 0;
@@ -132,13 +137,16 @@ private:
   bool run_pilot(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable, const Report& report,
                  Denoising_result& result)
   {
-    const double noise = m_noise / m_mean_edge_length;
+    const double noise = relative_noise();
     const double first_range = (std::min)(m_parameters.pilot_first_range * noise, m_parameters.largest_range);
     const double last_range = (std::min)(m_parameters.pilot_last_range * noise, m_parameters.pilot_maximal_last_range);
+    const std::size_t number_of_steps
+      = m_parameters.pilot_number_of_steps
+      + std::size_t(m_parameters.pilot_steps_by_strong_noise * (std::max)(0., noise - m_parameters.pilot_strong_noise));
     Normal_evolution<ConcurrencyTag> evolve;
-    for(std::size_t k=0; k<m_parameters.pilot_number_of_steps; ++k)
+    for(std::size_t k=0; k<number_of_steps; ++k)
     {
-      const double progress = double(k) / double(m_parameters.pilot_number_of_steps - 1);
+      const double progress = double(k) / double(number_of_steps - 1);
       const std::vector<Point_3> before = mesh.points();
       evolve.update_weights(mesh);
       evolve(mesh, is_movable, Evolution_step{ first_range * std::pow(last_range / first_range, progress), true,
@@ -188,9 +196,12 @@ private:
     });
   }
 
-  // Impulses leave the median of the residuals, on which the noise level rests, as it is. Returns whether it was wrong
-  bool correct_noise_level(const Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed,
-                           const std::vector<bool>& is_movable)
+  // Impulses leave the median of the residuals, on which the noise level rests, as it is: tails that are too heavy for it tell
+  // them. Then the observed points lose what their residuals have too much, and the noise level is raised so that a pilot
+  // leaves nothing of what remains; later rounds see how much that is, and lower it. `original` keeps what was observed.
+  // Returns whether there are impulses
+  bool remove_impulses(const Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable, const bool is_first_round,
+                       std::vector<Point_3>& observed, std::vector<Point_3>& original)
   {
     std::vector<Vector_3> normals;
     compute_vertex_normals<ConcurrencyTag>(mesh, normals);
@@ -210,11 +221,26 @@ private:
     };
     if(!(median_deviation > 0))
       return false;
-    const double ratio = root_mean_square(m_parameters.largest_tail * median_deviation) / median_deviation;
-    if(!(ratio >= m_parameters.heavy_tail))
-      return false;
-    m_noise = (std::min)(ratio * m_noise, m_parameters.maximal_correction
-                                          * root_mean_square((std::numeric_limits<double>::max)()));
+    const double limit = m_parameters.largest_residual * median_deviation;
+    if(is_first_round)
+    {
+      const double ratio = root_mean_square(m_parameters.largest_tail * median_deviation) / median_deviation;
+      if(!(ratio >= m_parameters.heavy_tail))
+        return false;
+      m_noise = (std::min)(ratio * m_noise, m_parameters.maximal_correction
+                                            * root_mean_square((std::numeric_limits<double>::max)()));
+    }
+    else
+      m_noise = (std::min)(m_noise, m_parameters.later_correction * root_mean_square(limit));
+
+    if(original.empty())
+      original = observed;
+    for_each_index<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
+    {
+      const double r = residuals[v];
+      if(is_movable[v] && std::abs(r) > limit)
+        observed[v] = observed[v] + (std::copysign(limit, r) - r) * normals[v];
+    });
     return true;
   }
 

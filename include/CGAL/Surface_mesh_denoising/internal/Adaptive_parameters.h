@@ -27,21 +27,27 @@ struct Adaptive_parameters
   bool use_gentle_path = true;
   bool use_linear_path = true;
   bool remove_tangential_noise = true;
+  bool remove_impulses = true;
   bool unfold_faces = true;
   bool preserve_volume = true;
 
   // Below this the mesh counts as free of noise.
   double negligible_noise = 1e-4;
 
-  // Noise whose residuals have a root mean square of more than so many times what their median tells of a normal
-  // distribution, as impulses have, counts for as much more, but for no more than so many times its root mean square.
+  // Impulses: the root mean square of the residuals is more than so many times what their median tells of a normal
+  // distribution. The noise then counts for as much more, but for no more than so many times its root mean square.
   double heavy_tail = 1.08;
-  double largest_tail = 10;                     // times the median: beyond, residuals are cut
-  double maximal_correction = 1.5;
+  double largest_tail = 10;                     // standard deviations, as the median tells them: beyond, residuals are cut,
+  double largest_residual = 4;                  // and the observed points here
+  std::size_t impulse_number_of_rounds = 2;
+  double maximal_correction = 1.5;              // in the first round
+  double later_correction = 2.5;                // then
 
   // The pilot. The normal of a face is off by about twice the noise: the range of the filter starts a little above and
   // shrinks with the noise that is left, so that first the noise goes and then the edges come out.
-  std::size_t pilot_number_of_steps = 14;
+  std::size_t pilot_number_of_steps = 14;       // and more where
+  double pilot_strong_noise = 0.47;             // noise is more than this,
+  double pilot_steps_by_strong_noise = 130;     // so many for each edge length more
   std::size_t pilot_number_of_moves = 3;
   double pilot_first_range = 2.5;               // times noise
   double pilot_last_range = 1;                  // times noise
@@ -63,7 +69,8 @@ struct Adaptive_parameters
   double gentle_range = 5.5;                    // times noise
   double gentle_normal_growth = 0.625;          // step k filters the normals 1 + growth (noise k)^2 times
   double gentle_move_growth = 1;                // and moves the vertices 2 + growth noise k times
-  std::size_t gentle_maximal_growth = 3;
+  double gentle_maximal_growth = 10;            // times noise,
+  double gentle_least_maximal_growth = 3;       // or this where it is more
   double largest_range = 1.5;
   std::size_t gentle_number_of_steps = 19;      // and then one step of relaxation
   std::array<std::size_t, 3> gentle_global_band_ends = {{ 1, 2, 4 }};
@@ -102,12 +109,18 @@ struct Adaptive_parameters
   double unadapted_leverage = 0.016;            // that of patches of the largest size
   double adaptation_factor = 1.5;               // of what leverages have beyond
   std::size_t number_of_sharpenings = 2;        // of the weight between two estimates
-  std::size_t final_number_of_moves = 6;
+
+  // In the end the vertices move to agree with the normals that came with the result.
+  double final_number_of_moves = 100;           // times noise,
+  std::size_t final_least_number_of_moves = 6;  // or this where it is more
+  double final_overrelaxation = 1.5;
 
   // Faces that face against their surroundings
   std::size_t unfolding_number_of_rounds = 20;
   std::size_t unfolding_rounds_of_centers = 3;  // before vertices may move in another way
+  std::size_t unfolding_rounds_with_care = 7;   // before vertices go to centers whatever that does to faces
   double unfolding_agreement = 0.6;             // as above
+  double unfolding_far_agreement = 0.5;         // that of the faces around the faces around
   double unfolding_share_by_shape = 5e-4;       // no more than this share of all faces is turned by the shape
   double unfolding_largest_area = 20;           // faces larger than this, times noise^2, are not turned by noise
   double unfolding_flatness = 0.6;              // the cosine of the largest angle at a vertex that goes to a center

@@ -32,7 +32,8 @@ namespace internal {
 
 // Where noise turned faces against the faces around them, their vertices slide along the surface until the faces face
 // outwards, and no further than noise may have moved them: to the center of their neighbors if that does, or else by as
-// little as the faces' areas ask for.
+// little as the faces' areas ask for. What then is left are clusters of turned faces, which no vertex can unfold alone: going
+// to the centers whatever that does to single faces, their vertices do so together.
 template <typename ConcurrencyTag>
 class Face_unfolding
 {
@@ -64,7 +65,8 @@ public:
         const auto faces = m_mesh.faces_around_vertex(v);
         if(m_is_movable[v] && !m_neighbors.is_at_border(v)
            && std::any_of(faces.begin(), faces.end(), [&](const Index f) { return m_is_folded[f] != 0; })
-           && !go_to_center(v, points[v]) && round >= m_parameters.unfolding_rounds_of_centers)
+           && !go_to_center(v, round >= m_parameters.unfolding_rounds_with_care, points[v])
+           && round >= m_parameters.unfolding_rounds_of_centers)
           make_room(v, points[v]);
       });
       m_mesh.swap_points(points);
@@ -77,12 +79,27 @@ private:
   void find_folded_faces(const bool is_first_round)
   {
     compute_face_normals<ConcurrencyTag>(m_mesh, m_normals, m_areas);
+    m_around.resize(m_mesh.number_of_faces());
+    for_each_index<ConcurrencyTag>(m_around.size(), [&](const std::size_t f)
+    { m_around[f] = surroundings(m_mesh, f, m_normals, m_areas); });
     for_each_index<ConcurrencyTag>(m_mesh.number_of_faces(), [&](const std::size_t f)
     {
-      const Surroundings around = surroundings(m_mesh, f, m_normals, m_areas);
+      const auto faces = m_mesh.faces_around_face(f);
+      m_mean_areas[f] = m_around[f].area / double((std::max)(faces.size(), std::size_t(1)));
+      Surroundings around = m_around[f];
+      bool agree = around.agree(m_parameters.unfolding_agreement);
+      if(!agree)
+      {
+        // in a cluster of turned faces, further ones know better
+        Surroundings far = { Vector_3(0, 0, 0), 0 };
+        for(const Index g : faces)
+          far += m_around[g];
+        agree = far.agree(m_parameters.unfolding_far_agreement);
+        if(agree)
+          around = far;
+      }
       m_outwards[f] = normalized_or_null(around.area_vector);
-      m_mean_areas[f] = around.area / double((std::max)(m_mesh.faces_around_face(f).size(), std::size_t(1)));
-      m_is_folded[f] = m_outwards[f] * m_normals[f] < 0 && around.agree(m_parameters.unfolding_agreement)
+      m_is_folded[f] = m_outwards[f] * m_normals[f] < 0 && agree
                     && m_mean_areas[f] <= m_parameters.unfolding_largest_area * m_squared_noise;
     });
     if(is_first_round)
@@ -129,19 +146,20 @@ private:
     return false;
   }
 
-  // only where the surface is flat: elsewhere the center of the neighbors does not lie on it
-  bool go_to_center(const std::size_t v, Point_3& point) const
+  // Only where the surface is flat: elsewhere the center of the neighbors does not lie on it. `anyhow` allows faces to be
+  // folded there
+  bool go_to_center(const std::size_t v, const bool anyhow, Point_3& point) const
   {
     const auto faces = m_mesh.faces_around_vertex(v);
     Vector_3 normal(0, 0, 0);
     for(const Index f : faces)
-      normal += m_areas[f] * m_normals[f];
+      normal += m_areas[f] * (m_is_folded[f] ? m_outwards[f] : m_normals[f]);
     normal = normalized_or_null(normal);
     if(std::any_of(faces.begin(), faces.end(),
                    [&](const Index f) { return m_outwards[f] * normal < m_parameters.unfolding_flatness; }))
       return false;
     const Vector_3 move = to_center(m_mesh, m_neighbors, v);
-    return move_by_share(v, move - (move * normal) * normal, m_parameters.unfolding_cosine, 0, point);
+    return move_by_share(v, move - (move * normal) * normal, m_parameters.unfolding_cosine, anyhow ? faces.size() : 0, point);
   }
 
   // Least squares of what the faces lack of their least areas, and of what the vertex leaves the planes of the others by.
@@ -206,6 +224,7 @@ private:
   std::vector<Point_3> m_original;
   std::vector<Vector_3> m_normals, m_outwards; // of the faces, and of the faces around them
   std::vector<double> m_areas, m_mean_areas;   // likewise
+  std::vector<Surroundings> m_around;
   std::vector<std::uint8_t> m_is_folded;
 };
 

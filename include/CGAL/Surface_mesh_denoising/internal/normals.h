@@ -135,6 +135,13 @@ struct Surroundings
   Indexed_triangle_mesh::Vector_3 area_vector;
   double area;
 
+  Surroundings& operator+=(const Surroundings& other)
+  {
+    area_vector += other.area_vector;
+    area += other.area;
+    return *this;
+  }
+
   // whether that sum is as long as this share of the area: less than that, as at an edge, tells no side of the surface
   bool agree(const double share) const { return area_vector.squared_length() > share * share * area * area; }
 };
