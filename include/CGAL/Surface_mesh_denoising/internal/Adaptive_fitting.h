@@ -331,8 +331,7 @@ private:
     for_each_index<ConcurrencyTag>(n, [&](const std::size_t v)
     {
       float& w = weights[v][0];
-      for(std::size_t k=0; k<m_parameters.number_of_sharpenings; ++k)
-        w = w * w * (3 - 2 * w);
+      w = w * w * (3 - 2 * w);
     });
 
     std::vector<Point_3> points(n);

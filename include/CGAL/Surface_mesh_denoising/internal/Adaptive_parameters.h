@@ -47,7 +47,7 @@ struct Adaptive_parameters
   // shrinks with the noise that is left, so that first the noise goes and then the edges come out.
   std::size_t pilot_number_of_steps = 14;       // and more where
   double pilot_strong_noise = 0.47;             // noise is more than this,
-  double pilot_steps_by_strong_noise = 130;     // so many for each edge length more
+  double pilot_steps_by_strong_noise = 120;     // so many for each edge length more
   std::size_t pilot_number_of_moves = 3;
   double pilot_first_range = 2.5;               // times noise
   double pilot_last_range = 1;                  // times noise
@@ -66,7 +66,7 @@ struct Adaptive_parameters
   double sliding_range = 0.3;                   // of the deviation of normals around a vertex
 
   // The gentle path: a wide range, which spares small detail as it tells little from noise, and many small steps.
-  double gentle_range = 5.5;                    // times noise
+  double gentle_range = 9;                      // times noise
   double gentle_normal_growth = 0.625;          // step k filters the normals 1 + growth (noise k)^2 times
   double gentle_move_growth = 1;                // and moves the vertices 2 + growth noise k times
   double gentle_maximal_growth = 10;            // times noise,
@@ -108,7 +108,6 @@ struct Adaptive_parameters
   // the noise by that choice, too.
   double unadapted_leverage = 0.016;            // that of patches of the largest size
   double adaptation_factor = 1.5;               // of what leverages have beyond
-  std::size_t number_of_sharpenings = 2;        // of the weight between two estimates
 
   // In the end the vertices move to agree with the normals that came with the result.
   double final_number_of_moves = 100;           // times noise,

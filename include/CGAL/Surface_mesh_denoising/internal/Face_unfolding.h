@@ -159,7 +159,8 @@ private:
                    [&](const Index f) { return m_outwards[f] * normal < m_parameters.unfolding_flatness; }))
       return false;
     const Vector_3 move = to_center(m_mesh, m_neighbors, v);
-    return move_by_share(v, move - (move * normal) * normal, m_parameters.unfolding_cosine, anyhow ? faces.size() : 0, point);
+    return move_by_share(v, move - (move * normal) * normal, m_parameters.unfolding_cosine,
+                         anyhow ? faces.size() : 0, point);
   }
 
   // Least squares of what the faces lack of their least areas, and of what the vertex leaves the planes of the others by.

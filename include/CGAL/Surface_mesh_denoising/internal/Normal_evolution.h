@@ -87,7 +87,7 @@ public:
   }
 
   // Each vertex goes to the mean of its projections onto the planes through the centroids of its faces, or `factor` times as far,
-  // which saves moves up to 1.5; at twice that, moves may grow
+  // which saves moves. With more than 1.5 they need not converge
   void move_to_agree(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable,
                      const std::vector<Vector_3>& normals, const std::size_t number_of_moves,
                      const double factor = 1)
