@@ -201,7 +201,7 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *                           points, and the noise level is corrected accordingly.}
 *     \cgalParamType{Boolean}
 *     \cgalParamDefault{`true`}
-*     \cgalParamExtra{It has no effect if `noise_level` is given. Where there are impulses, it takes about half as much time again.}
+*     \cgalParamExtra{It has no effect if `noise_level` is given. Where there are impulses, it takes about as much time as all the rest.}
 *   \cgalParamNEnd
 *   \cgalParamNBegin{unfold_faces}
 *     \cgalParamDescription{Adaptive method: whether vertices slide along the surface where noise has turned faces against the faces around them.}
