@@ -39,8 +39,9 @@ namespace CGAL {
 namespace Surface_mesh_denoising {
 namespace internal {
 
-// Anisotropic surface fitting that chooses for itself: noise level -> pilot -> tangential noise -> patches, and beside
-// them a gentle and a linear path -> mixing -> unfolding -> volume. Each stage knows only what the ones before it hand on.
+// Anisotropic surface fitting that chooses for itself: noise level -> pilot -> tangential noise -> patches, where there are
+// impulses again from the pilot on, and beside the patches a gentle and a linear path -> mixing -> moves of agreement
+// -> unfolding -> volume. Each stage knows only what the ones before it hand on.
 template <typename ConcurrencyTag>
 class Adaptive_fitting
 {
@@ -327,17 +328,13 @@ private:
     std::vector<std::array<float, 1> > weights
       = local_weights<ConcurrencyTag>(neighbors, m_parameters, m_noise * m_noise, m_parameters.mixing_penalty, moments);
 
-    // the mean of two good estimates is worse than the better one where edges are concerned
-    for_each_index<ConcurrencyTag>(n, [&](const std::size_t v)
-    {
-      float& w = weights[v][0];
-      w = w * w * (3 - 2 * w);
-    });
-
     std::vector<Point_3> points(n);
     for_each_index<ConcurrencyTag>(n, [&](const std::size_t v)
     {
-      const double w = weights[v][0];
+      // the mean of two good estimates is worse than the better one where edges are concerned
+      float& weight = weights[v][0];
+      weight = weight * weight * (3 - 2 * weight);
+      const double w = weight;
       points[v] = mesh.point(v) + w * (estimate.points[v] - mesh.point(v));
       m_noise_shares[v] += w * (estimate.noise_shares[v] - m_noise_shares[v]);
     });
