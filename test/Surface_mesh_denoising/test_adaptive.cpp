@@ -186,6 +186,19 @@ TEST(Estimate_noise_level, Tells_detail_of_the_shape_from_noise)
   EXPECT_NEAR(SMD::estimate_noise_level(with_noise(detail, 0.05)), 0.055, 0.01);
 }
 
+// detail as large as triangles, everywhere: what neighbors have in common tells it
+TEST(Estimate_noise_level, Tells_detail_of_coarse_meshes_from_noise)
+{
+  for(const Mesh& detail : {irregular_mesh(models::organic_shape, 400), irregular_mesh(models::organic_shape, 1000),
+                            irregular_mesh(models::torus, 400), irregular_mesh(models::cut_sphere, 1000)})
+  {
+    EXPECT_EQ(SMD::estimate_noise_level(detail), 0);
+    EXPECT_EQ(points_of(denoised(detail)), points_of(detail));
+    for(const unsigned int seed : {1, 2})
+      EXPECT_GT(SMD::estimate_noise_level(with_noise(detail, 0.1, seed)), 0.09);
+  }
+}
+
 // impulses, too, are not everywhere alike
 TEST(Estimate_noise_level, Tells_small_impulses_from_detail)
 {

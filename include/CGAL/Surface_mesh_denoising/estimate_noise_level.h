@@ -28,8 +28,11 @@ namespace Surface_mesh_denoising {
 * stand out from these surfaces is noise where the shape is smooth. Medians keep edges and corners out, and differences between
 * neighbors what is left of the shape.
 *
-* Fine detail of the shape stands out like noise, but not everywhere alike: what is less than 0.045 mean edge lengths, and far less
-* in some parts of the mesh than in others, counts as detail, and the level is zero.
+* Fine detail of the shape stands out like noise, but not everywhere alike, and neighbors stand out together. What is less than 0.045
+* mean edge lengths, and far less in some parts of the mesh than in others, counts as detail, and the level is zero. So it is up to 0.15
+* mean edge lengths if neighbors stand out together even in the smoothest third of the mesh, where those of noise alone tend to
+* opposite sides. A coarse mesh full of detail may still pass for a noisy one, and weak noise on such a mesh, up to about 0.05
+* mean edge lengths, for detail.
 *
 * The noise is taken to be independent from vertex to vertex. That of a scanner need not be: noise that neighboring vertices have
 * in common looks like shape, and the level comes out too low. Impulses that spare most vertices go unnoticed as well.

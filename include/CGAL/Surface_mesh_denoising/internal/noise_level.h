@@ -84,35 +84,95 @@ inline double median_of_absolutes(const std::vector<double>& values, const std::
   return *middle;
 }
 
-// How large residuals are where they are small, beside what they are in most of the mesh: noise is nearly as strong
-// everywhere, detail of the shape is not. Large residuals, as at edges, are cut.
+// replaces each residual by what it differs from the mean of the neighbors' residuals
 template <typename ConcurrencyTag>
-double uniformity(const Vertex_neighbors& neighbors, const std::vector<double>& residuals, const std::vector<bool>& counts)
+void subtract_mean_of_neighbors(const Vertex_neighbors& neighbors, std::vector<double>& residuals)
+{
+  std::vector<double> differences(residuals.size());
+  for_each_index<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
+  {
+    double sum = 0;
+    std::size_t number = 0;
+    for(const Indexed_triangle_mesh::Index w : neighbors(v))
+      if(std::isfinite(residuals[w]))
+      {
+        sum += residuals[w];
+        ++number;
+      }
+    differences[v] = (number > 0) ? residuals[v] - sum / double(number) : residuals[v];
+  });
+  residuals.swap(differences);
+}
+
+// Where residuals are small, in the mean of the absolute values around a vertex: in a third of the mesh
+struct Quiet_places
+{
+  std::vector<bool> are_there; // for each vertex
+  // How large residuals are where they are smallest, beside the largest here: noise is nearly as strong everywhere, detail of
+  // the shape is not.
+  double uniformity;
+};
+
+// Large residuals, as at edges, are cut
+template <typename ConcurrencyTag>
+Quiet_places quiet_places(const Vertex_neighbors& neighbors, const std::vector<double>& residuals,
+                          const std::vector<bool>& counts)
 {
   const std::size_t number_of_averages = 8; // over windows of about fifty vertices
   const double most = 1.5 * median_of_absolutes(residuals, counts);
   std::vector<Mixing_moments<1> > moments(residuals.size());
+  const auto is_known = [&](const std::size_t v) { return counts[v] && std::isfinite(residuals[v]); };
   for_each_index<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
   {
-    const bool is_known = counts[v] && std::isfinite(residuals[v]);
-    moments[v].products[0] = is_known ? float((std::min)(std::abs(residuals[v]), most) / most) : 0;
-    moments[v].squares[0] = is_known;
+    moments[v].products[0] = is_known(v) ? float((std::min)(std::abs(residuals[v]), most) / most) : 0;
+    moments[v].squares[0] = is_known(v);
   });
   average_over_neighbors<ConcurrencyTag>(neighbors, number_of_averages, moments);
 
+  const auto mean = [&](const std::size_t v) { return moments[v].products[0] / moments[v].squares[0]; };
+  Quiet_places places = { std::vector<bool>(residuals.size(), false), 1 };
   std::vector<float> means;
   for(std::size_t v=0; v<moments.size(); ++v)
-    if(counts[v] && std::isfinite(residuals[v]))
-      means.push_back(moments[v].products[0] / moments[v].squares[0]);
+    if(is_known(v))
+      means.push_back(mean(v));
   if(means.empty())
-    return 1;
+    return places;
   const auto quantile = [&](const double share)
   {
     const auto it = means.begin() + std::size_t(share * double(means.size()));
     std::nth_element(means.begin(), it, means.end());
-    return double(*it);
+    return *it;
   };
-  return quantile(0.02) / quantile(0.35);
+  const float usual = quantile(0.35);
+  for(std::size_t v=0; v<moments.size(); ++v)
+    places.are_there[v] = is_known(v) && mean(v) <= usual;
+  places.uniformity = quantile(0.02) / usual;
+  return places;
+}
+
+// The correlation of the residuals of neighbors, at the vertices that are `chosen`. Large residuals are cut
+template <typename ConcurrencyTag>
+double correlation_of_neighbors(const Vertex_neighbors& neighbors, const std::vector<double>& residuals,
+                                const std::vector<bool>& chosen)
+{
+  const double most = 3 * median_of_absolutes(residuals, chosen);
+  const auto cut = [&](const std::size_t v)
+  { return std::isfinite(residuals[v]) ? (std::max)(-most, (std::min)(most, residuals[v])) : 0; };
+  const double products = sum<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
+  {
+    double sum = 0;
+    std::size_t number = 0;
+    for(const Indexed_triangle_mesh::Index w : neighbors(v))
+      if(std::isfinite(residuals[w]))
+      {
+        sum += cut(w);
+        ++number;
+      }
+    return (chosen[v] && number > 0) ? cut(v) * sum / double(number) : 0.;
+  });
+  const double squares = sum<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
+  { return chosen[v] ? cut(v) * cut(v) : 0.; });
+  return (squares > 0) ? products / squares : 0;
 }
 
 // The share of the vertices whose residual is large and much larger than those of all their neighbors: edges and detail
@@ -121,7 +181,7 @@ template <typename ConcurrencyTag>
 double share_of_impulses(const Vertex_neighbors& neighbors, const std::vector<double>& residuals,
                          const std::vector<bool>& counts)
 {
-  const double least = 6 * median_of_absolutes(residuals, counts), largest_neighbor = 0.35;
+  const double least = 4 * median_of_absolutes(residuals, counts), largest_neighbor = 0.35;
   const double number = sum<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
   {
     const double r = std::abs(residuals[v]);
@@ -134,23 +194,40 @@ double share_of_impulses(const Vertex_neighbors& neighbors, const std::vector<do
   return (whole > 0) ? number / whole : 0;
 }
 
-// Detail of the shape, in a mesh without noise, makes small residuals that are not uniform, and no impulses. `level` is
-// the estimate, in mean edge lengths
+// Detail of the shape, in a mesh without noise, makes residuals that are not uniform, and no impulses. Either they are small, or
+// neighbors have them in common even in quiet places, where white noise gives them opposite signs. `level` is the estimate,
+// in mean edge lengths
 template <typename ConcurrencyTag>
-bool is_shape(const Vertex_neighbors& neighbors, const std::vector<double>& residuals, const std::vector<bool>& counts,
+bool is_shape(const Vertex_neighbors& neighbors, std::vector<double> residuals, const std::vector<bool>& counts,
               const double level)
 {
-  const double largest_level = 0.045, least_uniformity = 0.68, largest_share_of_impulses = 0.005;
-  return level < largest_level
-      && uniformity<ConcurrencyTag>(neighbors, residuals, counts) < least_uniformity
-      && share_of_impulses<ConcurrencyTag>(neighbors, residuals, counts) < largest_share_of_impulses;
+  const double largest_level = 0.15, largest_share_of_impulses = 0.005;
+  const double small_level = 0.045, least_uniformity_of_small = 0.68;
+  // what white noise gives: the correlations are those of the residuals and of what they differ from the neighbors' means
+  const double uniformity_of_noise = 0.85, correlation_of_noise = -0.195, correlation_of_differences = -0.28;
+
+  if(level > largest_level
+     || share_of_impulses<ConcurrencyTag>(neighbors, residuals, counts) > largest_share_of_impulses)
+    return false;
+  const Quiet_places quiet = quiet_places<ConcurrencyTag>(neighbors, residuals, counts);
+  if(level < small_level && quiet.uniformity < least_uniformity_of_small)
+    return true;
+
+  double evidence = uniformity_of_noise - quiet.uniformity
+                  + correlation_of_neighbors<ConcurrencyTag>(neighbors, residuals, quiet.are_there)
+                  - correlation_of_noise;
+  subtract_mean_of_neighbors<ConcurrencyTag>(neighbors, residuals);
+  evidence += 2 * (correlation_of_neighbors<ConcurrencyTag>(neighbors, residuals, quiet.are_there)
+                   - correlation_of_differences);
+  const double number = double(std::count(quiet.are_there.begin(), quiet.are_there.end(), true));
+  return evidence > 0.4 + 2 / std::sqrt(number); // the less there is to go by, the more chance explains
 }
 
 // The standard deviation of the noise along the normals, from the vertices that count, in the unit of the coordinates.
 // A quadric is fitted to the two rings around each vertex, without the vertex itself. What the vertex stands out is
 // noise, and shape that is no quadric. Shape is smoother than noise: taking the mean of the neighbors' residuals away,
-// again and again, leaves less of it, so the least of the estimates is the best. Medians keep edges out. What is left in a
-// mesh without noise is small and not uniform: then the level is zero.
+// again and again, leaves less of it, so the least of the estimates is the best. Medians keep edges out. Where all of it
+// is shape, the level is zero.
 template <typename ConcurrencyTag>
 double noise_level(const Indexed_triangle_mesh& mesh, const Vertex_neighbors& neighbors,
                    const std::vector<bool>& counts)
@@ -206,25 +283,12 @@ double noise_level(const Indexed_triangle_mesh& mesh, const Vertex_neighbors& ne
 
   const std::vector<double> first_residuals = residuals;
   double level = std::numeric_limits<double>::infinity();
-  std::vector<double> without_mean(residuals.size());
   for(std::size_t i=0; ; ++i)
   {
     level = (std::min)(level, median_of_absolutes(residuals, counts) / medians_of_white_noise[i]);
     if(i + 1 == medians_of_white_noise.size())
       break;
-    for_each_index<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
-    {
-      double sum = 0;
-      std::size_t number = 0;
-      for(const Index w : neighbors(v))
-        if(std::isfinite(residuals[w]))
-        {
-          sum += residuals[w];
-          ++number;
-        }
-      without_mean[v] = (number > 0) ? residuals[v] - sum / double(number) : residuals[v];
-    });
-    residuals.swap(without_mean);
+    subtract_mean_of_neighbors<ConcurrencyTag>(neighbors, residuals);
   }
   return (level > 0 && is_shape<ConcurrencyTag>(neighbors, first_residuals, counts,
                                                 level / mesh.mean_edge_length<ConcurrencyTag>())) ? 0 : level;
