@@ -309,7 +309,7 @@ TEST(Adaptive_fitting, Impulses_go)
 // with so much of it, turned faces lie side by side
 TEST(Adaptive_fitting, Clusters_of_turned_faces_face_outwards_again)
 {
-  for(const Model_generator model : {models::sphere, models::organic_shape})
+  for(const Model_generator model : {models::sphere, models::organic_shape, models::saddle, models::obtuse_prism})
   {
     const Mesh truth = irregular_mesh(model, 6000);
     const Mesh noisy = with_noise_in_all_directions(truth, 0.6);
@@ -340,39 +340,55 @@ TEST(Adaptive_fitting, Faces_that_noise_turned_face_outwards_again)
   EXPECT_LT(sum_of_distances, sum_of_distances_of_folded);
 }
 
+std::size_t number_of_faces_turned_down(const SMD::Indexed_triangle_mesh& mesh)
+{
+  std::size_t n = 0;
+  for(std::size_t f=0; f<mesh.number_of_faces(); ++f)
+    n += mesh.area_vector(f).z() <= 0;
+  return n;
+}
+
+void unfold(SMD::Indexed_triangle_mesh& mesh, const bool noise_turns_faces)
+{
+  const std::vector<bool> is_movable(mesh.number_of_vertices(), true);
+  const SMD::internal::Vertex_neighbors neighbors(mesh);
+  const std::vector<SMD::Indexed_triangle_mesh::Point_3> observed = mesh.points();
+  SMD::internal::Adaptive_parameters parameters;
+  parameters.unfolding_share_by_shape = 0.1;
+  SMD::internal::Face_unfolding<CGAL::Sequential_tag>(mesh, observed, is_movable, neighbors, 0.4 * mesh.mean_edge_length(),
+                                                      noise_turns_faces, parameters).run();
+}
+
 TEST(Face_unfolding, Slides_vertices_of_a_plane_within_the_plane)
 {
   Mesh mesh = plane();
   for(const std::size_t v : {500, 1234, 1235, 2600})
     mesh.point(Vertex(std::uint32_t(v))) = mesh.point(Vertex(std::uint32_t(v))) + Vector(1.3, 0.4, 0);
   SMD::Indexed_triangle_mesh indexed = indexed_mesh(mesh);
-  const std::vector<bool> is_movable(indexed.number_of_vertices(), true);
-  const auto number_of_turned_faces = [&]()
-  {
-    std::size_t n = 0;
-    for(std::size_t f=0; f<indexed.number_of_faces(); ++f)
-      n += indexed.area_vector(f).z() <= 0;
-    return n;
-  };
-  EXPECT_GE(number_of_turned_faces(), 4u);
-
-  const SMD::internal::Vertex_neighbors neighbors(indexed);
   const std::vector<SMD::Indexed_triangle_mesh::Point_3> observed = indexed.points();
-  const auto unfold = [&](const bool noise_turns_faces)
-  {
-    SMD::internal::Adaptive_parameters parameters;
-    parameters.unfolding_share_by_shape = 0.1;
-    SMD::internal::Face_unfolding<CGAL::Sequential_tag>(indexed, observed, is_movable, neighbors,
-                                                        0.4 * indexed.mean_edge_length(), noise_turns_faces,
-                                                        parameters).run();
-  };
+  EXPECT_GE(number_of_faces_turned_down(indexed), 4u);
+
   // without such noise, a few faces that were turned from the beginning are the shape's
-  unfold(false);
+  unfold(indexed, false);
   EXPECT_EQ(indexed.points(), observed);
-  unfold(true);
-  EXPECT_EQ(number_of_turned_faces(), 0u);
+  unfold(indexed, true);
+  EXPECT_EQ(number_of_faces_turned_down(indexed), 0u);
   for(const SMD::Indexed_triangle_mesh::Point_3& p : indexed.points())
     EXPECT_NEAR(p.z(), 0, 1e-12);
+}
+
+TEST(Face_unfolding, Unfolds_the_border)
+{
+  Mesh mesh = plane();
+  const Vertex v = *std::find_if(mesh.vertices().begin(), mesh.vertices().end(),
+                                 [&](const Vertex w) { return mesh.is_border(w) && mesh.degree(w) == 4; });
+  const Vertex next = mesh.target(mesh.next(mesh.halfedge(v)));
+  EXPECT_TRUE(mesh.is_border(next));
+  mesh.point(v) = mesh.point(v) + 1.4 * (mesh.point(next) - mesh.point(v));
+  SMD::Indexed_triangle_mesh indexed = indexed_mesh(mesh);
+  EXPECT_GT(number_of_faces_turned_down(indexed), 0u);
+  unfold(indexed, true);
+  EXPECT_EQ(number_of_faces_turned_down(indexed), 0u);
 }
 
 TEST(Tangential_noise, Shows_in_turned_faces)

@@ -117,9 +117,11 @@ struct Adaptive_parameters
   // Faces that face against their surroundings
   std::size_t unfolding_number_of_rounds = 20;
   std::size_t unfolding_rounds_of_centers = 3;  // before vertices may move in another way
-  std::size_t unfolding_rounds_with_care = 7;   // before vertices go to centers whatever that does to faces
+  std::size_t unfolding_rounds_with_care = 2;   // before vertices go to centers whatever that does to faces
   double unfolding_agreement = 0.6;             // as above
-  double unfolding_far_agreement = 0.5;         // that of the faces around the faces around
+  double unfolding_far_agreement = 0.5;         // that of the faces around the faces around,
+  double unfolding_cluster_agreement = 0.45;    // and around a cluster
+  std::size_t unfolding_largest_cluster = 30;   // faces
   double unfolding_share_by_shape = 5e-4;       // no more than this share of all faces is turned by the shape
   double unfolding_largest_area = 20;           // faces larger than this, times noise^2, are not turned by noise
   double unfolding_flatness = 0.6;              // the cosine of the largest angle at a vertex that goes to a center

@@ -33,7 +33,7 @@ namespace internal {
 // Where noise turned faces against the faces around them, their vertices slide along the surface until the faces face
 // outwards, and no further than noise may have moved them: to the center of their neighbors if that does, or else by as
 // little as the faces' areas ask for. What then is left are clusters of turned faces, which no vertex can unfold alone: going
-// to the centers whatever that does to single faces, their vertices do so together.
+// to the centers whatever that does to single faces, their vertices do so together. The border has no centers.
 template <typename ConcurrencyTag>
 class Face_unfolding
 {
@@ -63,9 +63,9 @@ public:
       for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
       {
         const auto faces = m_mesh.faces_around_vertex(v);
-        if(m_is_movable[v] && !m_neighbors.is_at_border(v)
-           && std::any_of(faces.begin(), faces.end(), [&](const Index f) { return m_is_folded[f] != 0; })
-           && !go_to_center(v, round >= m_parameters.unfolding_rounds_with_care, points[v])
+        if(m_is_movable[v] && std::any_of(faces.begin(), faces.end(), [&](const Index f) { return m_is_folded[f] != 0; })
+           && (m_neighbors.is_at_border(v)
+               || !go_to_center(v, round >= m_parameters.unfolding_rounds_with_care, points[v]))
            && round >= m_parameters.unfolding_rounds_of_centers)
           make_room(v, points[v]);
       });
@@ -95,6 +95,11 @@ private:
         for(const Index g : faces)
           far += m_around[g];
         agree = far.agree(m_parameters.unfolding_far_agreement);
+        if(!agree)
+        {
+          far = around_cluster(f);
+          agree = far.agree(m_parameters.unfolding_cluster_agreement);
+        }
         if(agree)
           around = far;
       }
@@ -112,6 +117,31 @@ private:
         if(m_is_folded[f] && area_vector(m_mesh, f, m_observed) * m_outwards[f] < 0)
           m_is_folded[f] = 0;
       });
+  }
+
+  // The faces around those that are on the same side of all folds as face `f`; none where these are many
+  Surroundings around_cluster(const std::size_t f) const
+  {
+    const auto contains = [](const std::vector<Index>& faces, const Index g)
+    { return std::find(faces.begin(), faces.end(), g) != faces.end(); };
+    Surroundings around = { Vector_3(0, 0, 0), 0 };
+    std::vector<Index> cluster(1, Index(f)), ring;
+    for(std::size_t k=0; k<cluster.size(); ++k)
+    {
+      for(const Index g : m_mesh.neighbors(cluster[k]))
+        if(g != Indexed_triangle_mesh::null_index() && m_normals[g] * m_normals[cluster[k]] > 0 && !contains(cluster, g))
+          cluster.push_back(g);
+      if(cluster.size() > m_parameters.unfolding_largest_cluster)
+        return around;
+    }
+    for(const Index g : cluster)
+      for(const Index h : m_mesh.faces_around_face(g))
+        if(!contains(cluster, h) && !contains(ring, h))
+        {
+          ring.push_back(h);
+          around += Surroundings{ m_areas[h] * m_normals[h], m_areas[h] };
+        }
+    return around;
   }
 
   // how many faces around `v` have a normal with less than that cosine to `m_outwards` if the vertex is at `p`
