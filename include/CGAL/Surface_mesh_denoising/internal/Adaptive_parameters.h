@@ -47,7 +47,7 @@ struct Adaptive_parameters
   // shrinks with the noise that is left, so that first the noise goes and then the edges come out.
   std::size_t pilot_number_of_steps = 14;       // and more where
   double pilot_strong_noise = 0.47;             // noise is more than this,
-  double pilot_steps_by_strong_noise = 120;     // so many for each edge length more
+  double pilot_steps_by_strong_noise = 200;     // so many for each edge length more
   std::size_t pilot_number_of_moves = 3;
   double pilot_first_range = 2.5;               // times noise
   double pilot_last_range = 1;                  // times noise
@@ -69,7 +69,7 @@ struct Adaptive_parameters
   double gentle_range = 9;                      // times noise
   double gentle_normal_growth = 0.625;          // step k filters the normals 1 + growth (noise k)^2 times
   double gentle_move_growth = 1;                // and moves the vertices 2 + growth noise k times
-  double gentle_maximal_growth = 10;            // times noise,
+  double gentle_maximal_growth = 16;            // times noise,
   double gentle_least_maximal_growth = 3;       // or this where it is more
   double largest_range = 1.5;
   std::size_t gentle_number_of_steps = 19;      // and then one step of relaxation
