@@ -69,7 +69,7 @@ struct Adaptive_parameters
   double gentle_range = 9;                      // times noise
   double gentle_normal_growth = 0.625;          // step k filters the normals 1 + growth (noise k)^2 times
   double gentle_move_growth = 1;                // and moves the vertices 2 + growth noise k times
-  double gentle_maximal_growth = 16;            // times noise,
+  double gentle_maximal_growth = 10;            // times noise,
   double gentle_least_maximal_growth = 3;       // or this where it is more
   double largest_range = 1.5;
   std::size_t gentle_number_of_steps = 19;      // and then one step of relaxation
