@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -84,23 +85,27 @@ inline double median_of_absolutes(const std::vector<double>& values, const std::
   return *middle;
 }
 
+// of those that are known; zero if none is
+inline double mean_of_neighbors(const Vertex_neighbors& neighbors, const std::vector<double>& values, const std::size_t v)
+{
+  double sum = 0;
+  std::size_t number = 0;
+  for(const Indexed_triangle_mesh::Index w : neighbors(v))
+    if(std::isfinite(values[w]))
+    {
+      sum += values[w];
+      ++number;
+    }
+  return (number > 0) ? sum / double(number) : 0;
+}
+
 // replaces each residual by what it differs from the mean of the neighbors' residuals
 template <typename ConcurrencyTag>
 void subtract_mean_of_neighbors(const Vertex_neighbors& neighbors, std::vector<double>& residuals)
 {
   std::vector<double> differences(residuals.size());
   for_each_index<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
-  {
-    double sum = 0;
-    std::size_t number = 0;
-    for(const Indexed_triangle_mesh::Index w : neighbors(v))
-      if(std::isfinite(residuals[w]))
-      {
-        sum += residuals[w];
-        ++number;
-      }
-    differences[v] = (number > 0) ? residuals[v] - sum / double(number) : residuals[v];
-  });
+  { differences[v] = residuals[v] - mean_of_neighbors(neighbors, residuals, v); });
   residuals.swap(differences);
 }
 
@@ -150,28 +155,19 @@ Quiet_places quiet_places(const Vertex_neighbors& neighbors, const std::vector<d
   return places;
 }
 
-// The correlation of the residuals of neighbors, at the vertices that are `chosen`. Large residuals are cut
+// The correlation of the residuals of neighbors, at the vertices that are `chosen`, where they are known. Large residuals are cut
 template <typename ConcurrencyTag>
-double correlation_of_neighbors(const Vertex_neighbors& neighbors, const std::vector<double>& residuals,
+double correlation_of_neighbors(const Vertex_neighbors& neighbors, std::vector<double> residuals,
                                 const std::vector<bool>& chosen)
 {
   const double most = 3 * median_of_absolutes(residuals, chosen);
-  const auto cut = [&](const std::size_t v)
-  { return std::isfinite(residuals[v]) ? (std::max)(-most, (std::min)(most, residuals[v])) : 0; };
+  for(double& r : residuals)
+    if(std::isfinite(r))
+      r = (std::max)(-most, (std::min)(most, r));
   const double products = sum<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
-  {
-    double sum = 0;
-    std::size_t number = 0;
-    for(const Indexed_triangle_mesh::Index w : neighbors(v))
-      if(std::isfinite(residuals[w]))
-      {
-        sum += cut(w);
-        ++number;
-      }
-    return (chosen[v] && number > 0) ? cut(v) * sum / double(number) : 0.;
-  });
+  { return chosen[v] ? residuals[v] * mean_of_neighbors(neighbors, residuals, v) : 0.; });
   const double squares = sum<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
-  { return chosen[v] ? cut(v) * cut(v) : 0.; });
+  { return chosen[v] ? residuals[v] * residuals[v] : 0.; });
   return (squares > 0) ? products / squares : 0;
 }
 
@@ -281,7 +277,7 @@ double noise_level(const Indexed_triangle_mesh& mesh, const Vertex_neighbors& ne
     }
   });
 
-  const std::vector<double> first_residuals = residuals;
+  std::vector<double> first_residuals = residuals;
   double level = std::numeric_limits<double>::infinity();
   for(std::size_t i=0; ; ++i)
   {
@@ -290,7 +286,7 @@ double noise_level(const Indexed_triangle_mesh& mesh, const Vertex_neighbors& ne
       break;
     subtract_mean_of_neighbors<ConcurrencyTag>(neighbors, residuals);
   }
-  return (level > 0 && is_shape<ConcurrencyTag>(neighbors, first_residuals, counts,
+  return (level > 0 && is_shape<ConcurrencyTag>(neighbors, std::move(first_residuals), counts,
                                                 level / mesh.mean_edge_length<ConcurrencyTag>())) ? 0 : level;
 }
 
