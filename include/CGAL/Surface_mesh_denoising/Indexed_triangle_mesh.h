@@ -176,6 +176,14 @@ public:
     return std::sqrt(squared_distance(m_points[t[i]], m_points[t[(i+1)%3]]));
   }
 
+  /// returns the length of the longest edge of face `f`.
+  double longest_edge_length(const std::size_t f) const
+  {
+    const std::array<Index, 3>& t = m_faces[f];
+    const Point_3 &p = m_points[t[0]], &q = m_points[t[1]], &r = m_points[t[2]];
+    return std::sqrt((std::max)({ squared_distance(p, q), squared_distance(q, r), squared_distance(r, p) }));
+  }
+
   /// returns the mean length of the edges, zero if there are none.
   template <typename ConcurrencyTag = Sequential_tag>
   double mean_edge_length() const

@@ -73,7 +73,7 @@ public:
         twice([&]() { relax(); });
       }
       else
-        twice([&]() { m_evolve(m_mesh, m_is_movable, step()); });
+        m_evolve(m_mesh, m_disturbed, m_is_movable, step());
     }
   }
 

@@ -12,10 +12,12 @@
 
 #include <CGAL/Surface_mesh_denoising/Indexed_triangle_mesh.h>
 #include <CGAL/Surface_mesh_denoising/internal/Face_geometry.h>
+#include <CGAL/Surface_mesh_denoising/internal/Vector_pair.h>
 #include <CGAL/Surface_mesh_denoising/internal/normals.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -23,14 +25,17 @@ namespace CGAL {
 namespace Surface_mesh_denoising {
 namespace internal {
 
-// (1 - x/64)^64 for 0 <= x < 64, and zero from there on: exp(-x), a little narrower, several times faster
-inline double bell(const double x)
+template <typename Number>
+Number to_the_64th(Number x)
 {
-  double y = (std::max)(1 - x / 64, 0.);
   for(int i=0; i<6; ++i)
-    y *= y;
-  return y;
+    x *= x;
+  return x;
 }
+
+// (1 - x/64)^64 for 0 <= x < 64, and zero from there on: exp(-x), a little narrower, several times faster
+inline double bell(const double x) { return to_the_64th((std::max)(1 - x / 64, 0.)); }
+inline Number_pair bell(const Number_pair& x) { return to_the_64th(Number_pair((1 - (1. / 64) * x).max(0.))); }
 
 struct Evolution_step
 {
@@ -71,89 +76,136 @@ public:
     for_each_index<ConcurrencyTag>(n, [&](const std::size_t f)
     {
       const auto faces = mesh.faces_around_face(f);
-      double* weight = m_weights.data() + (faces.begin() - first_entry);
+      float* weight = m_weights.data() + (faces.begin() - first_entry);
       for(const Index g : faces)
-        *weight++ = geometry.area(g)
-                  * bell(factor * squared_distance(geometry.centroid(f), geometry.centroid(g)));
-      m_own_weights[f] = geometry.area(f);
+        *weight++ = float(geometry.area(g)
+                          * bell(factor * squared_distance(geometry.centroid(f), geometry.centroid(g))));
+      m_own_weights[f] = float(geometry.area(f));
     });
   }
 
   void operator()(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable, const Evolution_step& step)
   {
-    compute_face_normals<ConcurrencyTag>(mesh, m_normals, m_areas);
-    filter(mesh, step);
+    std::vector<double> areas;
+    compute_face_normals<ConcurrencyTag>(mesh, m_normals, areas);
+    filter(mesh, step, m_normals);
     move_to_agree(mesh, is_movable, m_normals, step.number_of_moves);
+  }
+
+  // The same for `mesh` and for the mesh with its vertices at `other_points`, with the same weights, in little more time.
+  // Keeps no normals
+  void operator()(Indexed_triangle_mesh& mesh, std::vector<Point_3>& other_points, const std::vector<bool>& is_movable,
+                  const Evolution_step& step) const
+  {
+    std::vector<Vector_pair> normals;
+    {
+      std::vector<Vector_3> first, second;
+      std::vector<double> areas;
+      compute_face_normals<ConcurrencyTag>(mesh, first, areas);
+      mesh.swap_points(other_points);
+      compute_face_normals<ConcurrencyTag>(mesh, second, areas);
+      mesh.swap_points(other_points);
+      pair_up(first, second, normals);
+    }
+    filter(mesh, step, normals);
+
+    std::vector<Point_3> points;
+    mesh.swap_points(points);
+    std::vector<Vector_pair> positions;
+    pair_up(points, other_points, positions);
+    move_to_agree(mesh, positions, is_movable, normals, step.number_of_moves, 1);
+    for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
+    {
+      points[v] = ORIGIN + positions[v].first();
+      other_points[v] = ORIGIN + positions[v].second();
+    });
+    mesh.swap_points(points);
   }
 
   // Each vertex goes to the mean of its projections onto the planes through the centroids of its faces, or `factor` times as far,
   // which saves moves. With more than 1.5 they need not converge
-  void move_to_agree(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable,
-                     const std::vector<Vector_3>& normals, const std::size_t number_of_moves,
-                     const double factor = 1)
+  static void move_to_agree(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable,
+                            const std::vector<Vector_3>& normals, const std::size_t number_of_moves, const double factor = 1)
   {
-    m_planes.resize(mesh.number_of_faces());
-    m_points.resize(mesh.number_of_vertices());
-    for(std::size_t k=0; k<number_of_moves; ++k)
-    {
-      for_each_index<ConcurrencyTag>(mesh.number_of_faces(), [&](const std::size_t f)
-      {
-        m_planes[f] = Plane{normals[f], normals[f] * (mesh.centroid(f) - ORIGIN)};
-      });
-      for_each_index<ConcurrencyTag>(mesh.number_of_vertices(), [&](const std::size_t v)
-      {
-        const Point_3 p = m_points[v] = mesh.point(v);
-        const auto faces = mesh.faces_around_vertex(v);
-        if(!is_movable[v] || faces.empty())
-          return;
-        Vector_3 sum(0, 0, 0);
-        for(const Index f : faces)
-          sum += (m_planes[f].offset - m_planes[f].normal * (p - ORIGIN)) * m_planes[f].normal;
-        m_points[v] = p + (factor / double(faces.size())) * sum;
-      });
-      mesh.swap_points(m_points);
-    }
+    std::vector<Point_3> points;
+    mesh.swap_points(points);
+    move_to_agree(mesh, points, is_movable, normals, number_of_moves, factor);
+    mesh.swap_points(points);
   }
 
 private:
-  struct Plane
+  template <typename Elements>
+  static void pair_up(const Elements& first, const Elements& second, std::vector<Vector_pair>& pairs)
   {
-    Vector_3 normal;
-    double offset;
-  };
+    pairs.resize(first.size());
+    for_each_index<ConcurrencyTag>(first.size(), [&](const std::size_t i)
+    { pairs[i] = Vector_pair(to_vector(first[i]), to_vector(second[i])); });
+  }
 
-  void filter(const Indexed_triangle_mesh& mesh, const Evolution_step& step)
+  // moves `points`; of `mesh` only the faces count
+  template <typename Point, typename Vector>
+  static void move_to_agree(const Indexed_triangle_mesh& mesh, std::vector<Point>& points,
+                            const std::vector<bool>& is_movable, const std::vector<Vector>& normals,
+                            const std::size_t number_of_moves, const double factor)
+  {
+    typedef decltype(normals[0].squared_length()) Number;
+
+    std::vector<Number> offsets(mesh.number_of_faces()); // of the planes, along the normals
+    std::vector<Point> moved(points.size());
+    for(std::size_t k=0; k<number_of_moves; ++k)
+    {
+      for_each_index<ConcurrencyTag>(offsets.size(), [&](const std::size_t f)
+      {
+        const std::array<Index, 3>& t = mesh.vertices(f);
+        offsets[f] = normals[f]
+                   * ((to_vector(points[t[0]]) + to_vector(points[t[1]]) + to_vector(points[t[2]])) / 3.);
+      });
+      for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
+      {
+        moved[v] = points[v];
+        const auto faces = mesh.faces_around_vertex(v);
+        if(!is_movable[v] || faces.empty())
+          return;
+        const Vector p = to_vector(points[v]);
+        Vector sum = 0. * p;
+        for(const Index f : faces)
+          sum += (offsets[f] - normals[f] * p) * normals[f];
+        moved[v] = points[v] + (factor / double(faces.size())) * sum;
+      });
+      points.swap(moved);
+    }
+  }
+
+  template <typename Vector>
+  void filter(const Indexed_triangle_mesh& mesh, const Evolution_step& step, std::vector<Vector>& normals) const
   {
     const std::size_t n = mesh.number_of_faces();
     if(n == 0)
       return;
     const double range_factor = 0.5 / (step.range * step.range);
     const Index* const first_entry = mesh.faces_around_face(0).begin();
-    m_filtered.resize(n);
+    std::vector<Vector> filtered(n);
     for(std::size_t k=0; k<step.number_of_normal_iterations; ++k)
     {
       for_each_index<ConcurrencyTag>(n, [&](const std::size_t f)
       {
         const auto faces = mesh.faces_around_face(f);
-        const double* weight = m_weights.data() + (faces.begin() - first_entry);
-        const Vector_3 normal = m_normals[f];
-        Vector_3 sum = (step.counts_own_normal ? double(m_own_weights[f]) : 0) * normal;
+        const float* weight = m_weights.data() + (faces.begin() - first_entry);
+        const Vector normal = normals[f];
+        Vector sum = (step.counts_own_normal ? double(m_own_weights[f]) : 0.) * normal;
         for(const Index g : faces)
         {
-          const Vector_3& other = m_normals[g];
+          const Vector& other = normals[g];
           sum += (double(*weight++) * bell(range_factor * (normal - other).squared_length())) * other;
         }
-        m_filtered[f] = normalized_or(sum, normal);
+        filtered[f] = normalized_or(sum, normal);
       });
-      m_normals.swap(m_filtered);
+      normals.swap(filtered);
     }
   }
 
-  std::vector<Vector_3> m_normals, m_filtered;
-  std::vector<double> m_areas;
-  std::vector<double> m_weights, m_own_weights;
-  std::vector<Plane> m_planes;
-  std::vector<Point_3> m_points;
+  std::vector<Vector_3> m_normals;
+  std::vector<float> m_weights, m_own_weights;
 };
 
 } // namespace internal

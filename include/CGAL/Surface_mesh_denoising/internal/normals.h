@@ -56,9 +56,7 @@ void compute_face_normals(const Indexed_triangle_mesh& mesh,
   {
     const Vector_3 n = mesh.area_vector(f);
     const double length = std::sqrt(n.squared_length());
-    double longest_edge = 0;
-    for(int i=0; i<3; ++i)
-      longest_edge = (std::max)(longest_edge, mesh.edge_length(f, i));
+    const double longest_edge = mesh.longest_edge_length(f);
     // below this the cross product consists of rounding errors
     const bool is_degenerate = !(length > 1e-14 * longest_edge * (longest_edge + 1e-2));
     areas[f] = is_degenerate ? 0 : 0.5 * length;

@@ -51,9 +51,7 @@ double tangential_noise_ratio(const Indexed_triangle_mesh& mesh,
     counts[f] = Counts{ false, false, 0 };
     if(!around.agree(parameters.agreement))
       return;
-    double longest_edge = 0;
-    for(int i=0; i<3; ++i)
-      longest_edge = (std::max)(longest_edge, mesh.edge_length(f, i));
+    const double longest_edge = mesh.longest_edge_length(f);
     // A face turns when a vertex passes the opposite edge: their distance changes by a vertex's own noise and
     // about half of that of the edge's
     const double height = (longest_edge > 0) ? 2 * areas[f] / longest_edge : 0;
