@@ -94,7 +94,7 @@ struct Adaptive_parameters
   double pilot_noise = 0.3;                     // what is left of the noise in the pilot's points, times noise
   double pilot_correlation = 6;                 // about so many neighbors share it
   double hopeless_risk = 2;                     // a patch stops growing when its risk is so many times the least
-  std::size_t least_cover = 8;                  // patches over each face
+  std::size_t least_cover = 4;                  // patches over each face
   std::size_t number_of_rounds = 8;             // in which seeds are chosen
   double tangential_weight = 0.01;              // holds a vertex in the directions that its patches leave free
   std::size_t patch_number_of_moves = 3;
