@@ -105,7 +105,7 @@ double estimate_noise_level(const TriangleMesh& tmesh, const NamedParameters& np
   auto io = internal::read_mesh(vertices(tmesh), tmesh,
                                 parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                              get_const_property_map(CGAL::vertex_point, tmesh)), np);
-  const Indexed_triangle_mesh mesh = io.take_mesh();
+  Indexed_triangle_mesh mesh = io.take_mesh();
   const double mean_edge_length = mesh.mean_edge_length<ConcurrencyTag>();
   if(!(mean_edge_length > 0))
     return 0;

@@ -32,10 +32,11 @@ namespace CGAL {
 namespace Surface_mesh_denoising {
 namespace internal {
 
-// The height of the first of `points` above the quadric that fits the others best, as seen along `axis`, divided by
-// the root of its variance in units of that of the points: so noise of the standard deviation s gives a residual of
-// the standard deviation s. Not a number where the points determine no quadric.
+// The height of the first of `points` above the quadric that fits the others best, as seen along `axis` and over the places
+// of `feet`, divided by the root of its variance in units of that of the points: so noise of the standard deviation s gives a
+// residual of the standard deviation s. Not a number where the points determine no quadric.
 inline double leave_one_out_residual(const std::vector<Indexed_triangle_mesh::Point_3>& points,
+                                     const std::vector<Indexed_triangle_mesh::Point_3>& feet,
                                      const Indexed_triangle_mesh::Vector_3& axis)
 {
   typedef Indexed_triangle_mesh::Vector_3 Vector_3;
@@ -44,8 +45,8 @@ inline double leave_one_out_residual(const std::vector<Indexed_triangle_mesh::Po
 
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   double radius = 0;
-  for(const Indexed_triangle_mesh::Point_3& p : points)
-    radius = (std::max)(radius, squared_distance(p, points[0]));
+  for(const Indexed_triangle_mesh::Point_3& p : feet)
+    radius = (std::max)(radius, squared_distance(p, feet[0]));
   radius = std::sqrt(radius);
   if(!(radius > 0) || is_null(axis))
     return unknown;
@@ -55,11 +56,11 @@ inline double leave_one_out_residual(const std::vector<Indexed_triangle_mesh::Po
   Vector rhs = Vector::Zero();
   for(std::size_t i=1; i<points.size(); ++i)
   {
-    const Vector_3 d = (points[i] - points[0]) / radius;
+    const Vector_3 d = (feet[i] - feet[0]) / radius;
     const double u = d * tangents[0], v = d * tangents[1];
     const Vector monomials = (Vector() << u*u, u*v, v*v, u, v, 1).finished();
     matrix.selfadjointView<Eigen::Lower>().rankUpdate(monomials);
-    rhs += (d * axis) * monomials;
+    rhs += ((points[i] - points[0]) * axis / radius) * monomials;
   }
   const Eigen::LLT<Matrix> llt(matrix);
   if(llt.info() != Eigen::Success
@@ -219,33 +220,27 @@ bool is_shape(const Vertex_neighbors& neighbors, std::vector<double> residuals, 
   return evidence > 0.4 + 2 / std::sqrt(number); // the less there is to go by, the more chance explains
 }
 
-// The standard deviation of the noise along the normals, from the vertices that count, in the unit of the coordinates.
-// A quadric is fitted to the two rings around each vertex, without the vertex itself. What the vertex stands out is
-// noise, and shape that is no quadric. Shape is smoother than noise: taking the mean of the neighbors' residuals away,
-// again and again, leaves less of it, so the least of the estimates is the best. Medians keep edges out. Where all of it
-// is shape, the level is zero.
+// For each vertex how far it stands out of the quadric that is fitted to the two rings around it, without the vertex itself,
+// where that is known. `mesh` holds the feet, `observed` the points
 template <typename ConcurrencyTag>
-double noise_level(const Indexed_triangle_mesh& mesh, const Vertex_neighbors& neighbors,
-                   const std::vector<bool>& counts)
+std::vector<double> leave_one_out_residuals(const Indexed_triangle_mesh& mesh,
+                                            const std::vector<Indexed_triangle_mesh::Point_3>& observed,
+                                            const Vertex_neighbors& neighbors)
 {
   typedef Indexed_triangle_mesh::Index      Index;
   typedef Indexed_triangle_mesh::Point_3    Point_3;
   typedef Indexed_triangle_mesh::Vector_3   Vector_3;
 
-  // The medians that white noise of the standard deviation one gives: the first is that of a normal distribution, the
-  // others vary by some percent with the triangulation.
-  const std::array<double, 3> medians_of_white_noise = {{ median_of_normal_distribution, 0.838, 1.09 }};
   const std::size_t least_number_of_points = 9, most_number_of_points = 64;
 
   std::vector<Vector_3> vertex_normals;
   compute_vertex_normals<ConcurrencyTag>(mesh, vertex_normals);
 
-  const double unknown = std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> residuals(mesh.number_of_vertices(), unknown);
+  std::vector<double> residuals(mesh.number_of_vertices(), std::numeric_limits<double>::quiet_NaN());
   for_each_block<ConcurrencyTag>(residuals.size(), [&](const std::size_t first, const std::size_t last)
   {
     std::vector<Index> ring;
-    std::vector<Point_3> points;
+    std::vector<Point_3> points, feet;
     for(std::size_t v=first; v<last; ++v)
     {
       if(neighbors.is_at_border(v))
@@ -267,27 +262,74 @@ double noise_level(const Indexed_triangle_mesh& mesh, const Vertex_neighbors& ne
       if(ring.size() < least_number_of_points || ring.size() > most_number_of_points)
         continue;
       points.clear();
+      feet.clear();
       Vector_3 axis(0, 0, 0);
       for(const Index w : ring)
       {
-        points.push_back(mesh.point(w));
+        points.push_back(observed[w]);
+        feet.push_back(mesh.point(w));
         axis += vertex_normals[w];
       }
-      residuals[v] = leave_one_out_residual(points, normalized_or_null(axis));
+      residuals[v] = leave_one_out_residual(points, feet, normalized_or_null(axis));
     }
   });
+  return residuals;
+}
 
-  std::vector<double> first_residuals = residuals;
+// The standard deviation of the noise that left these residuals. What a vertex stands out is noise, and shape that is no
+// quadric. Shape is smoother than noise: taking the mean of the neighbors' residuals away, again and again, leaves less of
+// it, so the least of the estimates is the best. Medians keep edges out.
+template <typename ConcurrencyTag>
+double noise_level_of_residuals(const Vertex_neighbors& neighbors, const std::vector<bool>& counts,
+                                std::vector<double> residuals)
+{
+  // The medians that white noise of the standard deviation one gives: the first is that of a normal distribution, the
+  // others vary by some percent with the triangulation.
+  const std::array<double, 3> medians_of_white_noise = {{ median_of_normal_distribution, 0.838, 1.09 }};
+
   double level = std::numeric_limits<double>::infinity();
   for(std::size_t i=0; ; ++i)
   {
     level = (std::min)(level, median_of_absolutes(residuals, counts) / medians_of_white_noise[i]);
     if(i + 1 == medians_of_white_noise.size())
-      break;
+      return level;
     subtract_mean_of_neighbors<ConcurrencyTag>(neighbors, residuals);
   }
-  return (level > 0 && is_shape<ConcurrencyTag>(neighbors, std::move(first_residuals), counts,
-                                                level / mesh.mean_edge_length<ConcurrencyTag>())) ? 0 : level;
+}
+
+// The standard deviation of the noise along the normals, from the vertices that count, in the unit of the coordinates.
+// Where all that stands out is shape, it is zero. `mesh` comes back as it was
+template <typename ConcurrencyTag>
+double noise_level(Indexed_triangle_mesh& mesh, const Vertex_neighbors& neighbors, const std::vector<bool>& counts)
+{
+  typedef Indexed_triangle_mesh::Point_3 Point_3;
+
+  const double strong_noise = 0.2; // mean edge lengths
+  const std::size_t number_of_averages = 8;
+
+  std::vector<double> residuals = leave_one_out_residuals<ConcurrencyTag>(mesh, mesh.points(), neighbors);
+  const double level = noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, residuals);
+  const double relative_level = level / mesh.mean_edge_length<ConcurrencyTag>();
+  if(!(relative_level > strong_noise))
+    return (level > 0 && is_shape<ConcurrencyTag>(neighbors, std::move(residuals), counts, relative_level)) ? 0 : level;
+
+  // Noise like that turns normals, and where triangles are small it hides itself: what it does seems to lie along the
+  // surface. A smoothed mesh knows better where that is
+  residuals.clear();
+  std::vector<Point_3> points = mesh.points(), observed = points;
+  for(std::size_t k=0; k<number_of_averages; ++k)
+  {
+    for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
+    {
+      points[v] = mesh.point(v);
+      if(!neighbors.is_at_border(v) && !neighbors(v).empty())
+        points[v] = points[v] + 0.5 * to_center(mesh, neighbors, v);
+    });
+    mesh.swap_points(points);
+  }
+  residuals = leave_one_out_residuals<ConcurrencyTag>(mesh, observed, neighbors);
+  mesh.swap_points(observed);
+  return noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, std::move(residuals));
 }
 
 // Noise along the normals lengthens the edges, by the factor that the difference of two normal deviates makes in the
