@@ -550,8 +550,10 @@ TEST(Adaptive_fitting, Threads_do_not_matter)
 {
   for(const Model_generator model : {models::cad_part, models::saddle})
   {
-    const Mesh mesh = noisy_mesh(model, 8000, 0.3);
-    for(const Mesh& noisy : { mesh, with_noise_in_all_directions(irregular_mesh(model, 4000), 0.3) })
+    const Mesh mesh = noisy_mesh(model, 8000, 0.3), small = irregular_mesh(model, 4000);
+    Mesh with_impulses = small;
+    SMD::add_noise(with_impulses, params::noise_level(0.5).noise_share(0.1).random_seed(1));
+    for(const Mesh& noisy : { mesh, with_noise_in_all_directions(small, 0.3), with_impulses })
     {
       Mesh sequential = noisy, parallel = noisy;
       SMD::denoise_anisotropic_fitting<CGAL::Sequential_tag>(sequential);
