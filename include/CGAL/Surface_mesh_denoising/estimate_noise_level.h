@@ -109,7 +109,8 @@ double estimate_noise_level(const TriangleMesh& tmesh, const NamedParameters& np
   const double mean_edge_length = mesh.mean_edge_length<ConcurrencyTag>();
   if(!(mean_edge_length > 0))
     return 0;
-  const double noise = internal::noise_level<ConcurrencyTag>(mesh, internal::Vertex_neighbors(mesh), io.is_movable());
+  const double noise = internal::noise_level<ConcurrencyTag>(mesh, mean_edge_length, internal::Vertex_neighbors(mesh),
+                                                             io.is_movable());
   return internal::in_smooth_edge_lengths(noise / mean_edge_length);
 }
 

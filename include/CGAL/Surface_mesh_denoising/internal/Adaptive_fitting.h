@@ -76,7 +76,7 @@ public:
     m_mean_edge_length = mesh.mean_edge_length<ConcurrencyTag>();
     const Vertex_neighbors neighbors(mesh);
     m_noise = (m_noise_level >= 0) ? in_noisy_edge_lengths(m_noise_level) * m_mean_edge_length
-                                   : noise_level<ConcurrencyTag>(mesh, neighbors, is_movable);
+                                   : noise_level<ConcurrencyTag>(mesh, m_mean_edge_length, neighbors, is_movable);
     if(!(m_noise > m_parameters.negligible_noise * m_mean_edge_length))
     {
       result.number_of_iterations = 1;
@@ -108,8 +108,8 @@ public:
       mix_with_paths(mesh, observed, is_movable, neighbors);
     const std::size_t number_of_moves = (std::max)(m_parameters.final_least_number_of_moves,
                                                    std::size_t(m_parameters.final_number_of_moves * relative_noise()));
-    Normal_evolution<ConcurrencyTag>().move_to_agree(mesh, is_movable, m_face_normals, number_of_moves,
-                                                     m_parameters.final_overrelaxation);
+    Normal_evolution<ConcurrencyTag>::move_to_agree(mesh, is_movable, m_face_normals, number_of_moves,
+                                                    m_parameters.final_overrelaxation);
     if(m_parameters.unfold_faces)
       unfold_faces(mesh, observed, is_movable, neighbors);
     if(m_parameters.preserve_volume)
@@ -274,8 +274,7 @@ private:
       share = (share + m_parameters.adaptation_factor * by_adaptation) * m_noise * m_noise;
     }
     mesh.swap_points(points);
-    Normal_evolution<ConcurrencyTag>().move_to_agree(mesh, is_movable, m_face_normals,
-                                                     m_parameters.patch_number_of_moves);
+    Normal_evolution<ConcurrencyTag>::move_to_agree(mesh, is_movable, m_face_normals, m_parameters.patch_number_of_moves);
   }
 
   // Patches are best where the surface is made of smooth pieces, the gentle path where it is full of detail, and the linear

@@ -70,7 +70,10 @@ public:
       if(m_step >= m_parameters.gentle_number_of_steps)
       {
         m_evolve = Normal_evolution<ConcurrencyTag>();
-        twice([&]() { relax(); });
+        relax();
+        m_mesh.swap_points(m_disturbed);
+        relax();
+        m_mesh.swap_points(m_disturbed);
       }
       else
         m_evolve(m_mesh, m_disturbed, m_is_movable, step());
@@ -78,15 +81,6 @@ public:
   }
 
 private:
-  template <typename Action>
-  void twice(const Action& action)
-  {
-    action();
-    m_mesh.swap_points(m_disturbed);
-    action();
-    m_mesh.swap_points(m_disturbed);
-  }
-
   Evolution_step step() const
   {
     const Adaptive_parameters& p = m_parameters;
@@ -111,7 +105,7 @@ private:
         for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
         {
           points[v] = m_mesh.point(v);
-          if(!m_is_movable[v] || m_neighbors.is_at_border(v) || m_neighbors(v).empty())
+          if(!m_is_movable[v] || !m_neighbors.is_inside(v))
             return;
           const Vector_3 whole = to_center(m_mesh, m_neighbors, v);
           const Vector_3 along = (whole * m_normals[v]) * m_normals[v], across = whole - along;

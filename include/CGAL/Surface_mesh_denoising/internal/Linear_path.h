@@ -55,7 +55,7 @@ public:
         for_each_index<ConcurrencyTag>(m_states.size(), [&](const std::size_t v)
         {
           State s = m_states[v];
-          if(m_is_movable[v] && !m_neighbors.is_at_border(v) && !m_neighbors(v).empty())
+          if(m_is_movable[v] && m_neighbors.is_inside(v))
           {
             State sum = { Vector_3(0, 0, 0), 0 };
             for(const Index w : m_neighbors(v))

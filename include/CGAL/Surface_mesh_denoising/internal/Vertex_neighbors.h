@@ -59,6 +59,9 @@ public:
 
   bool is_at_border(const std::size_t v) const { return m_is_at_border[v]; }
 
+  // whether vertex `v` has neighbors all around it
+  bool is_inside(const std::size_t v) const { return !m_is_at_border[v] && !(*this)(v).empty(); }
+
 private:
   std::vector<Index> m_offsets, m_neighbors;
   std::vector<bool> m_is_at_border;

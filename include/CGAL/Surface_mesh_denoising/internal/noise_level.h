@@ -300,7 +300,8 @@ double noise_level_of_residuals(const Vertex_neighbors& neighbors, const std::ve
 // The standard deviation of the noise along the normals, from the vertices that count, in the unit of the coordinates.
 // Where all that stands out is shape, it is zero. `mesh` comes back as it was
 template <typename ConcurrencyTag>
-double noise_level(Indexed_triangle_mesh& mesh, const Vertex_neighbors& neighbors, const std::vector<bool>& counts)
+double noise_level(Indexed_triangle_mesh& mesh, const double mean_edge_length, const Vertex_neighbors& neighbors,
+                   const std::vector<bool>& counts)
 {
   typedef Indexed_triangle_mesh::Point_3 Point_3;
 
@@ -309,20 +310,19 @@ double noise_level(Indexed_triangle_mesh& mesh, const Vertex_neighbors& neighbor
 
   std::vector<double> residuals = leave_one_out_residuals<ConcurrencyTag>(mesh, mesh.points(), neighbors);
   const double level = noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, residuals);
-  const double relative_level = level / mesh.mean_edge_length<ConcurrencyTag>();
+  const double relative_level = level / mean_edge_length;
   if(!(relative_level > strong_noise))
     return (level > 0 && is_shape<ConcurrencyTag>(neighbors, std::move(residuals), counts, relative_level)) ? 0 : level;
 
   // Noise like that turns normals, and where triangles are small it hides itself: what it does seems to lie along the
   // surface. A smoothed mesh knows better where that is
-  residuals.clear();
   std::vector<Point_3> points = mesh.points(), observed = points;
   for(std::size_t k=0; k<number_of_averages; ++k)
   {
     for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
     {
       points[v] = mesh.point(v);
-      if(!neighbors.is_at_border(v) && !neighbors(v).empty())
+      if(neighbors.is_inside(v))
         points[v] = points[v] + 0.5 * to_center(mesh, neighbors, v);
     });
     mesh.swap_points(points);

@@ -89,7 +89,7 @@ void relax_along_surface(Indexed_triangle_mesh& mesh, const std::vector<bool>& i
     for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
     {
       points[v] = mesh.point(v);
-      if(!is_movable[v] || neighbors.is_at_border(v) || neighbors(v).empty())
+      if(!is_movable[v] || !neighbors.is_inside(v))
         return;
       const Vector_3& normal = vertex_normals[v];
       double deviation = 0, area = 0;
