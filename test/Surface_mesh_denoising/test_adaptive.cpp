@@ -18,6 +18,8 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/transform.h>
 
+#include <Eigen/Core>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -472,10 +474,11 @@ TEST(Replace_turned_normals, Finds_the_face_that_is_turned)
 TEST(Linear_path, Is_lambda_mu_smoothing)
 {
   Mesh mesh = noisy_mesh(models::organic_shape, 2000, 0.3);
-  const SMD::Indexed_triangle_mesh indexed = indexed_mesh(mesh);
+  SMD::Indexed_triangle_mesh indexed = indexed_mesh(mesh);
   const std::vector<bool> is_movable(indexed.number_of_vertices(), true);
   const SMD::internal::Vertex_neighbors neighbors(indexed);
   const SMD::internal::Adaptive_parameters parameters;
+  const double noise = 1; // does not matter
   typedef SMD::internal::Linear_path<CGAL::Sequential_tag> Path;
 
   std::mt19937 random(3);
@@ -487,8 +490,9 @@ TEST(Linear_path, Is_lambda_mu_smoothing)
   std::vector<SMD::Indexed_triangle_mesh::Point_3> disturbed = indexed.points();
   for(std::size_t v=0; v<disturbed.size(); ++v)
     disturbed[v] = disturbed[v] + disturbances[v] * axis;
-  Path path(indexed.points(), is_movable, neighbors, disturbances, parameters),
-       other(disturbed, is_movable, neighbors, disturbances, parameters);
+  const std::vector<SMD::Indexed_triangle_mesh::Point_3> observed = indexed.points();
+  Path path(indexed, observed, is_movable, neighbors, disturbances, noise, parameters),
+       other(indexed, disturbed, is_movable, neighbors, disturbances, noise, parameters);
   for(const std::size_t end : {4, 10})
   {
     path.go_to(end);
@@ -505,18 +509,108 @@ TEST(Linear_path, Is_lambda_mu_smoothing)
   }
 }
 
+// by matrices: x = S^k y + n (S^2k n.(y - S^k y)), where n are the normals of S^k y
+TEST(Linear_path, Gives_back_heights_over_Laplacian_smoothing)
+{
+  SMD::Indexed_triangle_mesh mesh = indexed_mesh(noisy_mesh(models::organic_shape, 400, 0.5));
+  const std::vector<SMD::Indexed_triangle_mesh::Point_3> observed = mesh.points();
+  const std::size_t n = observed.size();
+  const std::vector<bool> is_movable(n, true);
+  const SMD::internal::Vertex_neighbors neighbors(mesh);
+  const SMD::internal::Adaptive_parameters parameters;
+  const double disturbance = 0.25;
+  const std::vector<double> disturbances(n, disturbance);
+
+  Eigen::MatrixXd step = Eigen::MatrixXd::Identity(n, n) / 3, points(n, 3);
+  for(std::size_t v=0; v<n; ++v)
+  {
+    for(const auto w : neighbors(v))
+      step(v, w) += 2. / 3 / double(neighbors(v).size());
+    points.row(v) << observed[v].x(), observed[v].y(), observed[v].z();
+  }
+  SMD::internal::Linear_path<CGAL::Sequential_tag> path(mesh, observed, is_movable, neighbors, disturbances, 1, parameters);
+  Eigen::MatrixXd power = Eigen::MatrixXd::Identity(n, n);
+  for(const std::size_t k : {3, 6})
+  {
+    path.go_to(parameters.linear_number_of_lambda_mu_steps + k);
+    power = power * step * step * step;
+    const Eigen::MatrixXd smoothed = power * points;
+    std::vector<SMD::Indexed_triangle_mesh::Point_3> smoothed_points;
+    for(std::size_t v=0; v<n; ++v)
+      smoothed_points.emplace_back(smoothed(v, 0), smoothed(v, 1), smoothed(v, 2));
+    SMD::Indexed_triangle_mesh smoothed_mesh = mesh;
+    smoothed_mesh.swap_points(smoothed_points);
+    std::vector<SMD::Indexed_triangle_mesh::Vector_3> normals;
+    SMD::internal::compute_vertex_normals<CGAL::Sequential_tag>(smoothed_mesh, normals);
+    Eigen::VectorXd heights(n);
+    for(std::size_t v=0; v<n; ++v)
+      heights[v] = (observed[v] - smoothed_mesh.point(v)) * normals[v];
+    heights = power * (power * heights);
+    for(std::size_t v=0; v<n; ++v)
+    {
+      EXPECT_LT(squared_distance(path.point(v), smoothed_mesh.point(v) + heights[v] * normals[v]), 1e-12);
+      EXPECT_NEAR(path.noise_share(v), disturbance * disturbance, 1e-6); // smoothing leaves what is the same everywhere
+    }
+  }
+  EXPECT_EQ(mesh.points(), observed);
+}
+
+TEST(Linear_path, Keeps_the_radius_of_a_sphere)
+{
+  SMD::Indexed_triangle_mesh mesh = indexed_mesh(irregular_mesh(models::sphere, 3000));
+  const std::vector<SMD::Indexed_triangle_mesh::Point_3> observed = mesh.points();
+  const std::vector<bool> is_movable(observed.size(), true);
+  const std::vector<double> disturbances(observed.size(), 0);
+  const SMD::internal::Vertex_neighbors neighbors(mesh);
+  const SMD::internal::Adaptive_parameters parameters;
+  const auto mean_radius = [&](const auto& point)
+  {
+    double sum = 0;
+    for(std::size_t v=0; v<observed.size(); ++v)
+      sum += std::sqrt((point(v) - CGAL::ORIGIN).squared_length());
+    return sum / double(observed.size());
+  };
+  const double radius = mean_radius([&](const std::size_t v) { return observed[v]; });
+  SMD::internal::Linear_path<CGAL::Sequential_tag> path(mesh, observed, is_movable, neighbors, disturbances, 1, parameters);
+  path.go_to(parameters.linear_local_band_ends.back());
+  EXPECT_NEAR(mean_radius([&](const std::size_t v) { return path.point(v); }) / radius, 1, 1e-3);
+}
+
+// only where it is small beside triangles
+TEST(Linear_path, Small_noise_is_not_for_Laplacian_smoothing)
+{
+  SMD::Indexed_triangle_mesh mesh = indexed_mesh(irregular_mesh(models::sphere, 1000));
+  const std::vector<SMD::Indexed_triangle_mesh::Point_3> observed = mesh.points();
+  const std::vector<bool> is_movable(observed.size(), true);
+  const std::vector<double> disturbances(observed.size(), 0);
+  const SMD::internal::Vertex_neighbors neighbors(mesh);
+  const SMD::internal::Adaptive_parameters parameters;
+  const std::size_t last = parameters.linear_number_of_lambda_mu_steps, end = parameters.linear_local_band_ends.back();
+  for(const double noise : {0.05, 2.})
+  {
+    SMD::internal::Linear_path<CGAL::Sequential_tag> path(mesh, observed, is_movable, neighbors, disturbances,
+                                                          noise * mesh.mean_edge_length<CGAL::Sequential_tag>(), parameters);
+    path.go_to(end);
+    for(std::size_t v=0; v<observed.size(); ++v)
+    {
+      EXPECT_EQ(path.least_weight(v, end), (noise < 1) ? 1 : 0);
+      EXPECT_EQ(path.least_weight(v, last), 0);
+    }
+  }
+}
+
 TEST(Linear_path, Helps_where_triangles_are_smaller_than_the_noise)
 {
   double sum_of_ratios = 0;
   for(const Model_generator model : {models::organic_shape, models::cut_sphere})
   {
-    const Mesh truth = uneven_mesh(model), noisy = with_noise(truth, 0.3);
+    const Mesh truth = uneven_mesh(model), noisy = with_noise(truth, 0.6);
     const Mesh result = denoised(noisy), without = denoised(noisy, params::use_linear_path(false));
     sum_of_ratios += error(result, truth) / error(without, truth);
     EXPECT_LT(SMD::vertex_distance_error(result, truth).area_weighted_l2,
               SMD::vertex_distance_error(without, truth).area_weighted_l2);
   }
-  EXPECT_LT(sum_of_ratios, 2 * 0.98);
+  EXPECT_LT(sum_of_ratios, 2 * 0.75);
 }
 
 // ---- what may not matter

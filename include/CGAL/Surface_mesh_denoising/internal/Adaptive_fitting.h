@@ -302,8 +302,11 @@ private:
                                                          m_noise, m_mean_edge_length, m_parameters);
                     }, m_parameters.gentle_global_band_ends, m_parameters.gentle_local_band_ends);
     if(m_parameters.use_linear_path)
-      mix_with_path([&]() { return Linear_path<ConcurrencyTag>(observed, is_movable, neighbors, disturbances, m_parameters); },
-                    m_parameters.linear_global_band_ends, m_parameters.linear_local_band_ends);
+      mix_with_path([&]()
+                    {
+                      return Linear_path<ConcurrencyTag>(mesh, observed, is_movable, neighbors, disturbances, m_noise,
+                                                         m_parameters);
+                    }, m_parameters.linear_global_band_ends, m_parameters.linear_local_band_ends);
   }
 
   // mixes the result so far with another estimate, which has nothing to say where it has not left the observed points
@@ -332,7 +335,7 @@ private:
     {
       // the mean of two good estimates is worse than the better one where edges are concerned
       float& weight = weights[v][0];
-      weight = weight * weight * (3 - 2 * weight);
+      weight = float(smooth_step(weight));
       const double w = weight;
       points[v] = mesh.point(v) + w * (estimate.points[v] - mesh.point(v));
       m_noise_shares[v] += w * (estimate.noise_shares[v] - m_noise_shares[v]);

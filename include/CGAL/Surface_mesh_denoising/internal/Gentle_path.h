@@ -61,6 +61,8 @@ public:
     return m_disturbances[v] * (m_normals[v] * (m_disturbed[v] - m_mesh.point(v)));
   }
 
+  double least_weight(std::size_t, std::size_t) const { return 0; }
+
   void go_to(const std::size_t end)
   {
     if(m_step < (std::min)(end, m_parameters.gentle_number_of_steps))

@@ -13,8 +13,14 @@
 #include <CGAL/Surface_mesh_denoising/Indexed_triangle_mesh.h>
 #include <CGAL/Surface_mesh_denoising/internal/Adaptive_parameters.h>
 #include <CGAL/Surface_mesh_denoising/internal/Vertex_neighbors.h>
+#include <CGAL/Surface_mesh_denoising/internal/mixing.h>
+#include <CGAL/Surface_mesh_denoising/internal/normals.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
 
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -22,9 +28,14 @@ namespace CGAL {
 namespace Surface_mesh_denoising {
 namespace internal {
 
-// A path of lambda-mu smoothing (Taubin), see Path_estimate.h. It needs no normals, which mean nothing where triangles
-// are smaller than the noise. It is linear, so the points and what a disturbance changes go along it side by side.
-// Vertices at borders stay.
+// A path of linear smoothing, see Path_estimate.h. It needs no normals to smooth, which mean nothing where triangles are
+// smaller than the noise. It is linear, so the points and what a disturbance changes go along it side by side. Vertices at
+// borders stay.
+//
+// First come steps of lambda-mu smoothing (Taubin), which spares detail. It would take a thousand of them to leave nothing
+// of strong noise: the steps after them start from the observed points again and are of Laplacian smoothing. What that
+// shrinks is given back: the heights of the observed points above the smoothed ones, along the normals of these, smoothed in
+// turn. Hardly any noise is in them, and unlike positions they hardly change along a bent surface.
 template <typename ConcurrencyTag>
 class Linear_path
 {
@@ -33,59 +44,148 @@ class Linear_path
   typedef Indexed_triangle_mesh::Vector_3   Vector_3;
 
 public:
-  // keeps references
-  Linear_path(const std::vector<Point_3>& observed, const std::vector<bool>& is_movable,
-              const Vertex_neighbors& neighbors, const std::vector<double>& disturbances,
+  // `noise` is in the unit of the coordinates. Keeps references; of `mesh` only the faces count, and its points are as before
+  // after each call
+  Linear_path(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed, const std::vector<bool>& is_movable,
+              const Vertex_neighbors& neighbors, const std::vector<double>& disturbances, const double noise,
               const Adaptive_parameters& parameters)
-    : m_is_movable(is_movable), m_neighbors(neighbors), m_disturbances(disturbances), m_parameters(parameters),
-      m_states(observed.size()), m_next(observed.size())
+    : m_mesh(mesh), m_observed(observed), m_is_movable(is_movable), m_neighbors(neighbors),
+      m_disturbances(disturbances), m_noise(noise), m_parameters(parameters), m_states(observed.size())
   {
-    for_each_index<ConcurrencyTag>(observed.size(), [&](const std::size_t v)
-    { m_states[v] = State{ observed[v] - ORIGIN, disturbances[v] }; });
+    start();
   }
 
-  Point_3 point(const std::size_t v) const { return ORIGIN + m_states[v].position; }
-  double noise_share(const std::size_t v) const { return m_disturbances[v] * m_states[v].disturbance; }
+  Point_3 point(const std::size_t v) const
+  {
+    const Point_3 p = smoothed_point(v);
+    return m_heights.empty() ? p : p + double(m_heights[v][0]) * m_normals[v];
+  }
+
+  double noise_share(const std::size_t v) const
+  {
+    return m_disturbances[v] * (m_states[v][3] + (m_heights.empty() ? 0. : double(m_heights[v][1])));
+  }
+
+  // Laplacian smoothing is for places where triangles are small beside the noise
+  double least_weight(const std::size_t v, const std::size_t end) const
+  {
+    return (end > m_parameters.linear_number_of_lambda_mu_steps) ? m_least_weights[v] : 0;
+  }
 
   void go_to(const std::size_t end)
   {
-    for(; m_step<end; ++m_step)
-      for(const double share : m_parameters.lambda_mu)
-      {
-        for_each_index<ConcurrencyTag>(m_states.size(), [&](const std::size_t v)
-        {
-          State s = m_states[v];
-          if(m_is_movable[v] && m_neighbors.is_inside(v))
-          {
-            State sum = { Vector_3(0, 0, 0), 0 };
-            for(const Index w : m_neighbors(v))
-            {
-              sum.position += m_states[w].position;
-              sum.disturbance += m_states[w].disturbance;
-            }
-            const double number = double(m_neighbors(v).size());
-            s.position += share * (sum.position / number - s.position);
-            s.disturbance += share * (sum.disturbance / number - s.disturbance);
-          }
-          m_next[v] = s;
-        });
-        m_states.swap(m_next);
-      }
+    const std::size_t last = m_parameters.linear_number_of_lambda_mu_steps;
+    const auto go_on = [&](const std::size_t step, const auto& shares)
+    {
+      if(m_step < step)
+        smooth(step - m_step, shares, m_states);
+      m_step = (std::max)(m_step, step);
+    };
+    go_on((std::min)(end, last), m_parameters.lambda_mu);
+    if(end <= last)
+      return;
+    if(m_step == last)
+      start();
+    go_on(end, m_parameters.laplacian_shares);
+    compute_heights(m_parameters.height_steps_by_step * (end - last));
   }
 
 private:
-  struct State
-  {
-    Vector_3 position;
-    double disturbance; // along the normal, which neighbors share
-  };
+  typedef Eigen::Array4d State;    // a position and a disturbance along the normal, which neighbors share
+  typedef Eigen::Array2f Height;   // that of the observed point, and of the disturbance that smoothing took
 
+  void start()
+  {
+    for_each_index<ConcurrencyTag>(m_states.size(), [&](const std::size_t v)
+    {
+      const Point_3& p = m_observed[v];
+      m_states[v] = State(p.x(), p.y(), p.z(), m_disturbances[v]);
+    });
+  }
+
+  Point_3 smoothed_point(const std::size_t v) const { return Point_3(m_states[v][0], m_states[v][1], m_states[v][2]); }
+
+  // In each step the values at vertices move by these shares, one after the other, of the way to the mean of their neighbors' values
+  template <typename Shares, typename Value>
+  void smooth(const std::size_t number_of_steps, const Shares& shares, std::vector<Value>& values) const
+  {
+    typedef typename Value::Scalar Number;
+
+    std::vector<Value> next(values.size());
+    for(std::size_t k=0; k<number_of_steps; ++k)
+      for(const double share : shares)
+      {
+        for_each_index<ConcurrencyTag>(values.size(), [&](const std::size_t v)
+        {
+          next[v] = values[v];
+          if(!m_is_movable[v] || !m_neighbors.is_inside(v))
+            return;
+          Value sum = Value::Zero();
+          for(const Index w : m_neighbors(v))
+            sum += values[w];
+          next[v] += Number(share) * (sum / Number(m_neighbors(v).size()) - values[v]);
+        });
+        values.swap(next);
+      }
+  }
+
+  void compute_heights(const std::size_t number_of_steps)
+  {
+    const std::size_t n = m_states.size();
+    {
+      std::vector<Point_3> points(n);
+      for_each_index<ConcurrencyTag>(n, [&](const std::size_t v) { points[v] = smoothed_point(v); });
+      m_mesh.swap_points(points);
+      std::vector<Vector_3> face_normals;
+      std::vector<double> areas;
+      compute_face_normals<ConcurrencyTag>(m_mesh, face_normals, areas);
+      compute_vertex_normals<ConcurrencyTag>(m_mesh, face_normals, areas, m_normals);
+      compare_with_triangles(areas);
+      m_mesh.swap_points(points);
+    }
+    m_heights.resize(n);
+    for_each_index<ConcurrencyTag>(n, [&](const std::size_t v)
+    {
+      m_heights[v] = Height(float((m_observed[v] - smoothed_point(v)) * m_normals[v]),
+                            float(m_disturbances[v] - m_states[v][3]));
+    });
+    smooth(number_of_steps, m_parameters.laplacian_shares, m_heights);
+  }
+
+  // by the mean height of the triangles around a vertex
+  void compare_with_triangles(const std::vector<double>& areas)
+  {
+    m_least_weights.resize(m_states.size());
+    for_each_index<ConcurrencyTag>(m_states.size(), [&](const std::size_t v)
+    {
+      double area = 0, length = 0;
+      for(const Index f : m_mesh.faces_around_vertex(v))
+      {
+        area += areas[f];
+        length += m_mesh.longest_edge_length(f);
+      }
+      const double ratio = m_noise * length, low = m_parameters.small_noise * 2 * area,
+                   high = m_parameters.large_noise * 2 * area;
+      const double t = (ratio <= low) ? 0 : (ratio >= high) ? 1 : (ratio - low) / (high - low);
+      m_least_weights[v] = float(1 - smooth_step(t));
+    });
+  }
+
+  Indexed_triangle_mesh& m_mesh;
+  const std::vector<Point_3>& m_observed;
   const std::vector<bool>& m_is_movable;
   const Vertex_neighbors& m_neighbors;
   const std::vector<double>& m_disturbances;
+  double m_noise;
   const Adaptive_parameters& m_parameters;
-  std::vector<State> m_states, m_next;
+
+  std::vector<State> m_states;
   std::size_t m_step = 0;
+
+  // of Laplacian smoothing only
+  std::vector<Vector_3> m_normals;
+  std::vector<Height> m_heights;
+  std::vector<float> m_least_weights;
 };
 
 } // namespace internal

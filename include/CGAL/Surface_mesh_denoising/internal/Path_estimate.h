@@ -28,7 +28,8 @@ namespace internal {
 // into bands, and as much of each is given back as Stein's risk estimate says: the first bands, the finest, hold so much
 // noise that only the whole mesh tells what else they hold; the others are given back locally.
 //
-// `Path` has `go_to(step)`, and at each step `point(v)` and `noise_share(v)`.
+// `Path` has `go_to(step)`, at each step `point(v)` and `noise_share(v)`, and in the end `least_weight(v, step)`: how much of
+// the band that ended there is given back at least.
 template <typename ConcurrencyTag, typename Path, std::size_t M, std::size_t N>
 Estimate estimate_along(Path& path, const std::vector<Indexed_triangle_mesh::Point_3>& observed,
                         const std::vector<Indexed_triangle_mesh::Vector_3>& normals, const Vertex_neighbors& neighbors,
@@ -104,7 +105,7 @@ Estimate estimate_along(Path& path, const std::vector<Indexed_triangle_mesh::Poi
     for(std::size_t i=0; i<N; ++i)
     {
       const Band& b = bands[v][i];
-      const double w = weights[v][i];
+      const double w = (std::max)(double(weights[v][i]), path.least_weight(v, local_band_ends[i]));
       given_back[v] += w * Vector_3(b.difference[0], b.difference[1], b.difference[2]);
       estimate.noise_shares[v] += w * b.noise_share;
     }

@@ -33,6 +33,9 @@ struct Estimate
   std::vector<double> noise_shares;
 };
 
+// from 0 to 1, as `t` goes, and level at both ends
+inline double smooth_step(const double t) { return t * t * (3 - 2 * t); }
+
 // What the choice between a coarse and a fine estimate rests on, at one vertex and summed over a window. With
 // y the observed point, c and f the two estimates, the least squared error of c + t (f - c) to the true surface is at
 //   t = [(y - c) (f - c) - (noise share of f - that of c)] / (f - c)^2,
