@@ -52,7 +52,7 @@ public:
     : m_mesh(mesh), m_observed(observed), m_is_movable(is_movable), m_neighbors(neighbors),
       m_disturbances(disturbances), m_noise(noise), m_parameters(parameters), m_states(observed.size())
   {
-    start();
+    start_from_observed_points();
   }
 
   Point_3 point(const std::size_t v) const
@@ -85,7 +85,7 @@ public:
     if(end <= last)
       return;
     if(m_step == last)
-      start();
+      start_from_observed_points();
     go_on(end, m_parameters.laplacian_shares);
     compute_heights(m_parameters.height_steps_by_step * (end - last));
   }
@@ -94,7 +94,7 @@ private:
   typedef Eigen::Array4d State;    // a position and a disturbance along the normal, which neighbors share
   typedef Eigen::Array2f Height;   // that of the observed point, and of the disturbance that smoothing took
 
-  void start()
+  void start_from_observed_points()
   {
     for_each_index<ConcurrencyTag>(m_states.size(), [&](const std::size_t v)
     {
@@ -105,7 +105,7 @@ private:
 
   Point_3 smoothed_point(const std::size_t v) const { return Point_3(m_states[v][0], m_states[v][1], m_states[v][2]); }
 
-  // In each step the values at vertices move by these shares, one after the other, of the way to the mean of their neighbors' values
+  // In each step the values at vertices go by these shares, one after the other, of the way to the mean of their neighbors'
   template <typename Shares, typename Value>
   void smooth(const std::size_t number_of_steps, const Shares& shares, std::vector<Value>& values) const
   {

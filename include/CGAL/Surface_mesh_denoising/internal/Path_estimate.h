@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_denoising/internal/mixing.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
