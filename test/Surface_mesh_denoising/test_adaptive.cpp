@@ -470,29 +470,46 @@ TEST(Replace_turned_normals, Finds_the_face_that_is_turned)
   EXPECT_EQ(std::count_if(normals.begin(), normals.end(), is_down), 0);
 }
 
+// what a linear path starts from, and refers to
+struct Linear_path_input
+{
+  typedef SMD::internal::Linear_path<CGAL::Sequential_tag> Path;
+  typedef SMD::Indexed_triangle_mesh::Point_3              Point_3;
+
+  SMD::Indexed_triangle_mesh mesh;
+  const std::vector<Point_3> observed;
+  const std::vector<bool> is_movable;
+  std::vector<double> disturbances;
+  const SMD::internal::Vertex_neighbors neighbors;
+  const SMD::internal::Adaptive_parameters parameters;
+
+  explicit Linear_path_input(const Mesh& input, const double disturbance = 0)
+    : mesh(indexed_mesh(input)), observed(mesh.points()), is_movable(observed.size(), true),
+      disturbances(observed.size(), disturbance), neighbors(mesh)
+  {}
+
+  Path path(const std::vector<Point_3>& points, const double noise)
+  {
+    return Path(mesh, points, is_movable, neighbors, disturbances, noise, parameters);
+  }
+};
+
 // the path is the public smoothing, and what a disturbance changes is what two runs differ by
 TEST(Linear_path, Is_lambda_mu_smoothing)
 {
   Mesh mesh = noisy_mesh(models::organic_shape, 2000, 0.3);
-  SMD::Indexed_triangle_mesh indexed = indexed_mesh(mesh);
-  const std::vector<bool> is_movable(indexed.number_of_vertices(), true);
-  const SMD::internal::Vertex_neighbors neighbors(indexed);
-  const SMD::internal::Adaptive_parameters parameters;
+  Linear_path_input input(mesh);
   const double noise = 1; // does not matter
-  typedef SMD::internal::Linear_path<CGAL::Sequential_tag> Path;
 
   std::mt19937 random(3);
-  std::vector<double> disturbances(indexed.number_of_vertices());
-  for(double& d : disturbances)
+  for(double& d : input.disturbances)
     d = std::uniform_real_distribution<double>(-1, 1)(random);
   // along one axis a disturbance goes the way of a coordinate
   const SMD::Indexed_triangle_mesh::Vector_3 axis(0, 0, 1);
-  std::vector<SMD::Indexed_triangle_mesh::Point_3> disturbed = indexed.points();
+  std::vector<SMD::Indexed_triangle_mesh::Point_3> disturbed = input.observed;
   for(std::size_t v=0; v<disturbed.size(); ++v)
-    disturbed[v] = disturbed[v] + disturbances[v] * axis;
-  const std::vector<SMD::Indexed_triangle_mesh::Point_3> observed = indexed.points();
-  Path path(indexed, observed, is_movable, neighbors, disturbances, noise, parameters),
-       other(indexed, disturbed, is_movable, neighbors, disturbances, noise, parameters);
+    disturbed[v] = disturbed[v] + input.disturbances[v] * axis;
+  auto path = input.path(input.observed, noise), other = input.path(disturbed, noise);
   for(const std::size_t end : {4, 10})
   {
     path.go_to(end);
@@ -504,7 +521,7 @@ TEST(Linear_path, Is_lambda_mu_smoothing)
   {
     const SMD::Indexed_triangle_mesh::Point_3 p = path.point(i);
     EXPECT_LT(distance(mesh.point(v), Point(p.x(), p.y(), p.z())), 1e-12);
-    EXPECT_NEAR(path.noise_share(i), disturbances[i] * (axis * (other.point(i) - p)), 1e-12);
+    EXPECT_NEAR(path.noise_share(i), input.disturbances[i] * (axis * (other.point(i) - p)), 1e-12);
     ++i;
   }
 }
@@ -512,39 +529,34 @@ TEST(Linear_path, Is_lambda_mu_smoothing)
 // by matrices: x = S^k y + n (S^2k n.(y - S^k y)), where n are the normals of S^k y
 TEST(Linear_path, Gives_back_heights_over_Laplacian_smoothing)
 {
-  SMD::Indexed_triangle_mesh mesh = indexed_mesh(noisy_mesh(models::organic_shape, 400, 0.5));
-  const std::vector<SMD::Indexed_triangle_mesh::Point_3> observed = mesh.points();
-  const std::size_t n = observed.size();
-  const std::vector<bool> is_movable(n, true);
-  const SMD::internal::Vertex_neighbors neighbors(mesh);
-  const SMD::internal::Adaptive_parameters parameters;
   const double disturbance = 0.25;
-  const std::vector<double> disturbances(n, disturbance);
+  Linear_path_input input(noisy_mesh(models::organic_shape, 400, 0.5), disturbance);
+  const std::size_t n = input.observed.size();
 
   Eigen::MatrixXd step = Eigen::MatrixXd::Identity(n, n) / 3, points(n, 3);
   for(std::size_t v=0; v<n; ++v)
   {
-    for(const auto w : neighbors(v))
-      step(v, w) += 2. / 3 / double(neighbors(v).size());
-    points.row(v) << observed[v].x(), observed[v].y(), observed[v].z();
+    for(const auto w : input.neighbors(v))
+      step(v, w) += 2. / 3 / double(input.neighbors(v).size());
+    points.row(v) << input.observed[v].x(), input.observed[v].y(), input.observed[v].z();
   }
-  SMD::internal::Linear_path<CGAL::Sequential_tag> path(mesh, observed, is_movable, neighbors, disturbances, 1, parameters);
+  auto path = input.path(input.observed, 1);
   Eigen::MatrixXd power = Eigen::MatrixXd::Identity(n, n);
   for(const std::size_t k : {3, 6})
   {
-    path.go_to(parameters.linear_number_of_lambda_mu_steps + k);
+    path.go_to(input.parameters.linear_number_of_lambda_mu_steps + k);
     power = power * step * step * step;
     const Eigen::MatrixXd smoothed = power * points;
     std::vector<SMD::Indexed_triangle_mesh::Point_3> smoothed_points;
     for(std::size_t v=0; v<n; ++v)
       smoothed_points.emplace_back(smoothed(v, 0), smoothed(v, 1), smoothed(v, 2));
-    SMD::Indexed_triangle_mesh smoothed_mesh = mesh;
+    SMD::Indexed_triangle_mesh smoothed_mesh = input.mesh;
     smoothed_mesh.swap_points(smoothed_points);
     std::vector<SMD::Indexed_triangle_mesh::Vector_3> normals;
     SMD::internal::compute_vertex_normals<CGAL::Sequential_tag>(smoothed_mesh, normals);
     Eigen::VectorXd heights(n);
     for(std::size_t v=0; v<n; ++v)
-      heights[v] = (observed[v] - smoothed_mesh.point(v)) * normals[v];
+      heights[v] = (input.observed[v] - smoothed_mesh.point(v)) * normals[v];
     heights = power * (power * heights);
     for(std::size_t v=0; v<n; ++v)
     {
@@ -552,46 +564,36 @@ TEST(Linear_path, Gives_back_heights_over_Laplacian_smoothing)
       EXPECT_NEAR(path.noise_share(v), disturbance * disturbance, 1e-6); // smoothing leaves what is the same everywhere
     }
   }
-  EXPECT_EQ(mesh.points(), observed);
+  EXPECT_EQ(input.mesh.points(), input.observed);
 }
 
 TEST(Linear_path, Keeps_the_radius_of_a_sphere)
 {
-  SMD::Indexed_triangle_mesh mesh = indexed_mesh(irregular_mesh(models::sphere, 3000));
-  const std::vector<SMD::Indexed_triangle_mesh::Point_3> observed = mesh.points();
-  const std::vector<bool> is_movable(observed.size(), true);
-  const std::vector<double> disturbances(observed.size(), 0);
-  const SMD::internal::Vertex_neighbors neighbors(mesh);
-  const SMD::internal::Adaptive_parameters parameters;
+  Linear_path_input input(irregular_mesh(models::sphere, 3000));
   const auto mean_radius = [&](const auto& point)
   {
     double sum = 0;
-    for(std::size_t v=0; v<observed.size(); ++v)
+    for(std::size_t v=0; v<input.observed.size(); ++v)
       sum += std::sqrt((point(v) - CGAL::ORIGIN).squared_length());
-    return sum / double(observed.size());
+    return sum / double(input.observed.size());
   };
-  const double radius = mean_radius([&](const std::size_t v) { return observed[v]; });
-  SMD::internal::Linear_path<CGAL::Sequential_tag> path(mesh, observed, is_movable, neighbors, disturbances, 1, parameters);
-  path.go_to(parameters.linear_local_band_ends.back());
+  const double radius = mean_radius([&](const std::size_t v) { return input.observed[v]; });
+  auto path = input.path(input.observed, 1);
+  path.go_to(input.parameters.linear_local_band_ends.back());
   EXPECT_NEAR(mean_radius([&](const std::size_t v) { return path.point(v); }) / radius, 1, 1e-3);
 }
 
 // only where it is small beside triangles
 TEST(Linear_path, Small_noise_is_not_for_Laplacian_smoothing)
 {
-  SMD::Indexed_triangle_mesh mesh = indexed_mesh(irregular_mesh(models::sphere, 1000));
-  const std::vector<SMD::Indexed_triangle_mesh::Point_3> observed = mesh.points();
-  const std::vector<bool> is_movable(observed.size(), true);
-  const std::vector<double> disturbances(observed.size(), 0);
-  const SMD::internal::Vertex_neighbors neighbors(mesh);
-  const SMD::internal::Adaptive_parameters parameters;
-  const std::size_t last = parameters.linear_number_of_lambda_mu_steps, end = parameters.linear_local_band_ends.back();
+  Linear_path_input input(irregular_mesh(models::sphere, 1000));
+  const std::size_t last = input.parameters.linear_number_of_lambda_mu_steps,
+                    end = input.parameters.linear_local_band_ends.back();
   for(const double noise : {0.05, 2.})
   {
-    SMD::internal::Linear_path<CGAL::Sequential_tag> path(mesh, observed, is_movable, neighbors, disturbances,
-                                                          noise * mesh.mean_edge_length<CGAL::Sequential_tag>(), parameters);
+    auto path = input.path(input.observed, noise * input.mesh.mean_edge_length<CGAL::Sequential_tag>());
     path.go_to(end);
-    for(std::size_t v=0; v<observed.size(); ++v)
+    for(std::size_t v=0; v<input.observed.size(); ++v)
     {
       EXPECT_EQ(path.least_weight(v, end), (noise < 1) ? 1 : 0);
       EXPECT_EQ(path.least_weight(v, last), 0);

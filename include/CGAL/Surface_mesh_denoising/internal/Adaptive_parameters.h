@@ -84,8 +84,8 @@ struct Adaptive_parameters
   std::size_t linear_number_of_lambda_mu_steps = 40;
   std::array<double, 1> laplacian_shares = {{ 2./3 }}; // of the way to the mean of the neighbors
   std::size_t height_steps_by_step = 2;         // how much more heights are smoothed than points
-  double small_noise = 0.25;                    // below so many times the height of triangles no Laplacian smoothing counts,
-  double large_noise = 0.8;                     // above so many it counts fully
+  double least_laplacian_noise = 0.25;          // below so many times the height of triangles no Laplacian smoothing counts,
+  double sure_laplacian_noise = 0.8;            // above so many it counts fully
   std::array<std::size_t, 1> linear_global_band_ends = {{ 10 }};
   std::array<std::size_t, 3> linear_local_band_ends = {{ 40, 50, 80 }};
 
