@@ -254,6 +254,7 @@ void ablation(const std::string& title, const Mesh& mesh, const NamedParameters&
   run("use_linear_path", np::use_linear_path(false));
   run("remove_tangential_noise", np::remove_tangential_noise(false));
   run("remove_impulses", np::remove_impulses(false));
+  run("reassign_faces", np::reassign_faces(false));
   run("unfold_faces", np::unfold_faces(false));
   run("preserve_volume", np::preserve_volume(false));
 }

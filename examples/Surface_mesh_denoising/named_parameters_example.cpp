@@ -78,6 +78,7 @@ int main(int argc, char* argv[])
                                                           .use_linear_path(true)
                                                           .remove_tangential_noise(true)
                                                           .remove_impulses(true)
+                                                          .reassign_faces(true)
                                                           .unfold_faces(true)
                                                           .preserve_volume(true));
   return EXIT_SUCCESS;

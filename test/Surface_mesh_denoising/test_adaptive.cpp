@@ -615,6 +615,120 @@ TEST(Linear_path, Helps_where_triangles_are_smaller_than_the_noise)
   EXPECT_LT(sum_of_ratios, 2 * 0.75);
 }
 
+// ---- faces at edges
+
+struct Assigned_faces
+{
+  SMD::Indexed_triangle_mesh mesh;
+  std::vector<SMD::Indexed_triangle_mesh::Vector_3> normals;
+
+  // noise is a third of the mean edge length
+  void reassign(const std::vector<SMD::Indexed_triangle_mesh::Point_3>& observed, const float share,
+                const SMD::internal::Adaptive_parameters& parameters = SMD::internal::Adaptive_parameters())
+  {
+    const std::vector<bool> is_movable(mesh.number_of_vertices(), true);
+    const std::vector<float> shares(normals.size(), share);
+    SMD::internal::Face_reassignment<CGAL::Sequential_tag>(mesh, observed, is_movable, SMD::internal::Vertex_neighbors(mesh),
+                                                           mesh.mean_edge_length() / 3, shares, parameters, normals).run();
+  }
+};
+
+Assigned_faces faces_of_cube()
+{
+  Assigned_faces faces = { indexed_mesh(irregular_mesh(models::cube, 3000)), {} };
+  std::vector<double> areas;
+  SMD::internal::compute_face_normals<CGAL::Sequential_tag>(faces.mesh, faces.normals, areas);
+  return faces;
+}
+
+// the faces at edges that get the normal of the other side, no two of which are neighbors
+std::vector<std::size_t> assign_wrongly(Assigned_faces& faces)
+{
+  std::vector<std::size_t> wrong;
+  std::vector<bool> is_near(faces.normals.size());
+  for(std::size_t f=0; f<faces.normals.size(); ++f)
+    for(const SMD::Indexed_triangle_mesh::Index g : faces.mesh.neighbors(f))
+      if(!is_near[f] && faces.normals[f] * faces.normals[g] < 0.5)
+      {
+        for(const SMD::Indexed_triangle_mesh::Index h : faces.mesh.faces_around_face(f))
+          for(const SMD::Indexed_triangle_mesh::Index i : faces.mesh.faces_around_face(h))
+            is_near[i] = true;
+        faces.normals[f] = faces.normals[g];
+        wrong.push_back(f);
+      }
+  return wrong;
+}
+
+double largest_difference(const Assigned_faces& a, const Assigned_faces& b)
+{
+  double squared_maximum = 0;
+  for(std::size_t f=0; f<a.normals.size(); ++f)
+    squared_maximum = (std::max)(squared_maximum, (a.normals[f] - b.normals[f]).squared_length());
+  return std::sqrt(squared_maximum);
+}
+
+TEST(Face_reassignment, Leaves_faces_on_their_sides)
+{
+  const Assigned_faces cube = faces_of_cube();
+  Assigned_faces faces = cube;
+  faces.reassign(cube.mesh.points(), 1);
+  EXPECT_LT(largest_difference(faces, cube), 1e-6);
+  EXPECT_EQ(faces.mesh.points(), cube.mesh.points());
+}
+
+TEST(Face_reassignment, Brings_faces_back_to_their_sides)
+{
+  const Assigned_faces cube = faces_of_cube();
+  Assigned_faces faces = cube;
+  EXPECT_GT(assign_wrongly(faces).size(), 20u);
+  EXPECT_GT(largest_difference(faces, cube), 1.4);
+  faces.reassign(cube.mesh.points(), 1);
+  EXPECT_LT(largest_difference(faces, cube), 1e-6);
+}
+
+TEST(Face_reassignment, Leaves_faces_that_have_little_of_patches)
+{
+  Assigned_faces faces = faces_of_cube();
+  const std::vector<SMD::Indexed_triangle_mesh::Point_3> points = faces.mesh.points();
+  assign_wrongly(faces);
+  const Assigned_faces wrong = faces;
+  faces.reassign(points, 0.4f);
+  EXPECT_EQ(faces.normals, wrong.normals);
+  EXPECT_EQ(faces.mesh.points(), points);
+}
+
+TEST(Face_reassignment, Leaves_faces_that_are_smaller_than_the_noise)
+{
+  Assigned_faces faces = faces_of_cube();
+  const std::vector<SMD::Indexed_triangle_mesh::Point_3> points = faces.mesh.points();
+  assign_wrongly(faces);
+  const Assigned_faces wrong = faces;
+  SMD::internal::Adaptive_parameters parameters;
+  parameters.reassignment_least_height *= 10;
+  faces.reassign(points, 1, parameters);
+  EXPECT_EQ(faces.normals, wrong.normals);
+  EXPECT_EQ(faces.mesh.points(), points);
+}
+
+TEST(Face_reassignment, Helps_where_noise_is_strong)
+{
+  std::size_t flips = 0, flips_without = 0;
+  double sum_of_ratios = 0;
+  for(const Model_generator model : {models::cube, models::cad_part, models::twirl, models::drilled_block})
+  {
+    const Mesh truth = irregular_mesh(model, 6000);
+    for(const Mesh& noisy : { with_noise(truth, 0.6), with_noise_in_all_directions(truth, 0.6) })
+    {
+      const Mesh result = denoised(noisy), without = denoised(noisy, params::reassign_faces(false));
+      flips += number_of_flips(result, truth);
+      flips_without += number_of_flips(without, truth);
+      sum_of_ratios += error(result, truth) / error(without, truth);
+    }
+  }
+  EXPECT_LT(flips, 0.7 * flips_without);
+  EXPECT_LT(sum_of_ratios, 8 * 0.9);
+}
+
 // ---- what may not matter
 
 TEST(Adaptive_fitting, Numbers_do_not_matter)

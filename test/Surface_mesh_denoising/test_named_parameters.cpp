@@ -58,6 +58,7 @@ CHECK_NAME(use_gentle_path)
 CHECK_NAME(use_linear_path)
 CHECK_NAME(remove_tangential_noise)
 CHECK_NAME(remove_impulses)
+CHECK_NAME(reassign_faces)
 CHECK_NAME(unfold_faces)
 CHECK_NAME(preserve_volume)
 

@@ -84,6 +84,7 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
   adaptive.remove_tangential_noise
     = choose_parameter(get_parameter(np, internal_np::remove_tangential_noise), true);
   adaptive.remove_impulses = choose_parameter(get_parameter(np, internal_np::remove_impulses), true);
+  adaptive.reassign_faces = choose_parameter(get_parameter(np, internal_np::reassign_faces), true);
   adaptive.unfold_faces = choose_parameter(get_parameter(np, internal_np::unfold_faces), true);
   adaptive.preserve_volume = choose_parameter(get_parameter(np, internal_np::preserve_volume), true);
 
@@ -117,6 +118,7 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *   path</em>, Taubin's smoothing \cgalCite{cgal:t-spafs-95}, a third one that needs no normals, for where triangles are smaller than the
 *   noise. Stein's unbiased risk estimate tells, from the noisy mesh alone, how much of what a path took away was shape, and which
 *   result is closer to the true surface in each part of the mesh. They are mixed accordingly.
+* - Faces at edges are <em>reassigned</em>: they take over the plane on the other side where that explains the given points better.
 * - <em>Tangential noise</em> turns faces over, by which it is told from noise along the normals. Where it does, vertices slide, before patches
 *   are fitted, to where triangles are even; and faces that face against the faces around them are <em>unfolded</em> in the end. The
 *   few that a mesh has turned by itself stay.
@@ -202,6 +204,11 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *     \cgalParamType{Boolean}
 *     \cgalParamDefault{`true`}
 *     \cgalParamExtra{It has no effect if `noise_level` is given. Where there are impulses, it takes about as much time as all the rest.}
+*   \cgalParamNEnd
+*   \cgalParamNBegin{reassign_faces}
+*     \cgalParamDescription{Adaptive method: whether faces at edges change sides where that explains the given points better.}
+*     \cgalParamType{Boolean}
+*     \cgalParamDefault{`true`}
 *   \cgalParamNEnd
 *   \cgalParamNBegin{unfold_faces}
 *     \cgalParamDescription{Adaptive method: whether vertices slide along the surface where noise has turned faces against the faces around them.}

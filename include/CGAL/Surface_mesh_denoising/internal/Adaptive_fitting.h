@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_denoising/Denoising_result.h>
 #include <CGAL/Surface_mesh_denoising/Indexed_triangle_mesh.h>
 #include <CGAL/Surface_mesh_denoising/internal/Adaptive_parameters.h>
+#include <CGAL/Surface_mesh_denoising/internal/Face_reassignment.h>
 #include <CGAL/Surface_mesh_denoising/internal/Face_unfolding.h>
 #include <CGAL/Surface_mesh_denoising/internal/Gentle_path.h>
 #include <CGAL/Surface_mesh_denoising/internal/Linear_path.h>
@@ -40,8 +41,8 @@ namespace Surface_mesh_denoising {
 namespace internal {
 
 // Anisotropic surface fitting that chooses for itself: noise level -> pilot -> tangential noise -> patches, where there are
-// impulses again from the pilot on, and beside the patches a gentle and a linear path -> mixing -> moves of agreement
-// -> unfolding -> volume. Each stage knows only what the ones before it hand on.
+// impulses again from the pilot on, and beside the patches a gentle and a linear path -> mixing -> reassignment of faces
+// -> moves of agreement -> unfolding -> volume. Each stage knows only what the ones before it hand on.
 template <typename ConcurrencyTag>
 class Adaptive_fitting
 {
@@ -104,12 +105,23 @@ public:
       mesh.swap_points(points);
     }
 
+    m_patch_shares.assign(mesh.number_of_faces(), 1);
     if(m_parameters.use_gentle_path || m_parameters.use_linear_path)
       mix_with_paths(mesh, observed, is_movable, neighbors);
     const std::size_t number_of_moves = (std::max)(m_parameters.final_least_number_of_moves,
                                                    std::size_t(m_parameters.final_number_of_moves * relative_noise()));
-    Normal_evolution<ConcurrencyTag>::move_to_agree(mesh, is_movable, m_face_normals, number_of_moves,
-                                                    m_parameters.final_overrelaxation);
+    const auto move_to_agree = [&](const std::size_t number)
+    {
+      Normal_evolution<ConcurrencyTag>::move_to_agree(mesh, is_movable, m_face_normals, number,
+                                                      m_parameters.final_overrelaxation);
+    };
+    if(m_parameters.reassign_faces)
+    {
+      move_to_agree(m_parameters.final_least_number_of_moves);
+      Face_reassignment<ConcurrencyTag>(mesh, original.empty() ? observed : original, is_movable, neighbors, m_noise,
+                                        m_patch_shares, m_parameters, m_face_normals).run();
+    }
+    move_to_agree(number_of_moves);
     if(m_parameters.unfold_faces)
       unfold_faces(mesh, observed, is_movable, neighbors);
     if(m_parameters.preserve_volume)
@@ -351,6 +363,7 @@ private:
       double w = 0;
       for(const Index v : mesh.vertices(f))
         w += weights[v][0] / 3;
+      m_patch_shares[f] *= float(1 - w);
       m_face_normals[f] = normalized_or((1 - w) * m_face_normals[f] + w * mixed_normals[f], m_face_normals[f]);
     });
   }
@@ -362,6 +375,7 @@ private:
   double m_noise; // in the unit of the coordinates
   std::vector<Vector_3> m_face_normals;
   std::vector<double> m_noise_shares; // of the result so far, see mixing.h
+  std::vector<float> m_patch_shares;  // what each face has of the patches, in the result so far
   bool m_noise_turns_faces = false;
   std::vector<Vector_3> m_vertex_normals;
 };

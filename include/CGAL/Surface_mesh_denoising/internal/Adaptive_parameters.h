@@ -28,6 +28,7 @@ struct Adaptive_parameters
   bool use_linear_path = true;
   bool remove_tangential_noise = true;
   bool remove_impulses = true;
+  bool reassign_faces = true;
   bool unfold_faces = true;
   bool preserve_volume = true;
 
@@ -113,6 +114,15 @@ struct Adaptive_parameters
   // the noise by that choice, too.
   double unadapted_leverage = 0.016;            // that of patches of the largest size
   double adaptation_factor = 1.5;               // of what leverages have beyond
+
+  // Reassignment of faces
+  double reassignment_cosine = 0.98;            // that of the least angle of an edge
+  double reassignment_least_height = 0.5;       // that the triangles around a face have, times noise
+  double reassignment_reach = 3;                // times noise: observed points that are further away count less
+  double reassignment_stiffness = 3;            // the weight of the plane of a face
+  double reassignment_evenness = 0.8;           // that of a neighbor where edges are as long as the noise
+  std::size_t reassignment_number_of_moves = 2;
+  std::size_t reassignment_number_of_rounds = 20;
 
   // In the end the vertices move to agree with the normals that came with the result.
   double final_number_of_moves = 100;           // times noise,
