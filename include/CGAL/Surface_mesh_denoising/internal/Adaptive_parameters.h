@@ -116,7 +116,8 @@ struct Adaptive_parameters
   double adaptation_factor = 1.5;               // of what leverages have beyond
 
   // Reassignment of faces
-  double reassignment_cosine = 0.98;            // that of the least angle of an edge
+  double reassignment_edge_cosine = 0.8;        // that of the least angle of an edge,
+  double reassignment_plane_cosine = 0.98;      // and between planes that differ
   double reassignment_least_height = 0.5;       // that the triangles around a face have, times noise
   double reassignment_reach = 3;                // times noise: observed points that are further away count less
   double reassignment_stiffness = 3;            // the weight of the plane of a face

@@ -148,10 +148,17 @@ private:
     make_set(vertices);
   }
 
+  // Whether face `g` lies on one side of an edge, with a face on the other side beside face `f`, whose plane is another than
+  // that of `g`: that of the other side or, as blended normals are, one in between. Faces of a bent surface without
+  // edges differ, too, and keep their planes
   bool is_edge(const std::size_t f, const Index g) const
   {
-    return g != Indexed_triangle_mesh::null_index() && m_shares[f] >= 0.5 && m_shares[g] >= 0.5
-        && m_normals[f] * m_normals[g] < m_parameters.reassignment_cosine;
+    if(g == Indexed_triangle_mesh::null_index() || m_shares[f] < 0.5 || m_shares[g] < 0.5
+       || m_normals[f] * m_normals[g] >= m_parameters.reassignment_plane_cosine)
+      return false;
+    const auto around = m_mesh.faces_around_face(f);
+    return std::any_of(around.begin(), around.end(), [&](const Index h)
+    { return m_normals[h] * m_normals[g] < m_parameters.reassignment_edge_cosine; });
   }
 
   // Where triangles are much smaller than the noise, their planes mean nothing
