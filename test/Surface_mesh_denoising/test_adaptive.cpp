@@ -641,10 +641,10 @@ Assigned_faces faces_of_cube()
   return faces;
 }
 
-// the faces at edges that get the normal of the other side, no two of which are neighbors
-std::vector<std::size_t> assign_wrongly(Assigned_faces& faces)
+// gives faces at edges, no two of which are neighbors, the normal of the other side. Returns how many
+std::size_t assign_wrongly(Assigned_faces& faces)
 {
-  std::vector<std::size_t> wrong;
+  std::size_t n = 0;
   std::vector<bool> is_near(faces.normals.size());
   for(std::size_t f=0; f<faces.normals.size(); ++f)
     for(const SMD::Indexed_triangle_mesh::Index g : faces.mesh.neighbors(f))
@@ -654,9 +654,9 @@ std::vector<std::size_t> assign_wrongly(Assigned_faces& faces)
           for(const SMD::Indexed_triangle_mesh::Index i : faces.mesh.faces_around_face(h))
             is_near[i] = true;
         faces.normals[f] = faces.normals[g];
-        wrong.push_back(f);
+        ++n;
       }
-  return wrong;
+  return n;
 }
 
 double largest_difference(const Assigned_faces& a, const Assigned_faces& b)
@@ -680,34 +680,32 @@ TEST(Face_reassignment, Brings_faces_back_to_their_sides)
 {
   const Assigned_faces cube = faces_of_cube();
   Assigned_faces faces = cube;
-  EXPECT_GT(assign_wrongly(faces).size(), 20u);
+  EXPECT_GT(assign_wrongly(faces), 20u);
   EXPECT_GT(largest_difference(faces, cube), 1.4);
   faces.reassign(cube.mesh.points(), 1);
   EXPECT_LT(largest_difference(faces, cube), 1e-6);
 }
 
-TEST(Face_reassignment, Leaves_faces_that_have_little_of_patches)
+void expect_that_wrong_faces_stay(const float share, const SMD::internal::Adaptive_parameters& parameters)
 {
   Assigned_faces faces = faces_of_cube();
-  const std::vector<SMD::Indexed_triangle_mesh::Point_3> points = faces.mesh.points();
   assign_wrongly(faces);
   const Assigned_faces wrong = faces;
-  faces.reassign(points, 0.4f);
+  faces.reassign(wrong.mesh.points(), share, parameters);
   EXPECT_EQ(faces.normals, wrong.normals);
-  EXPECT_EQ(faces.mesh.points(), points);
+  EXPECT_EQ(faces.mesh.points(), wrong.mesh.points());
+}
+
+TEST(Face_reassignment, Leaves_faces_that_have_little_of_patches)
+{
+  expect_that_wrong_faces_stay(0.4f, SMD::internal::Adaptive_parameters());
 }
 
 TEST(Face_reassignment, Leaves_faces_that_are_smaller_than_the_noise)
 {
-  Assigned_faces faces = faces_of_cube();
-  const std::vector<SMD::Indexed_triangle_mesh::Point_3> points = faces.mesh.points();
-  assign_wrongly(faces);
-  const Assigned_faces wrong = faces;
   SMD::internal::Adaptive_parameters parameters;
   parameters.reassignment_least_height *= 10;
-  faces.reassign(points, 1, parameters);
-  EXPECT_EQ(faces.normals, wrong.normals);
-  EXPECT_EQ(faces.mesh.points(), points);
+  expect_that_wrong_faces_stay(1, parameters);
 }
 
 TEST(Face_reassignment, Helps_where_noise_is_strong)

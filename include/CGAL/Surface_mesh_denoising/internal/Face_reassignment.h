@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_denoising/internal/Adaptive_parameters.h>
 #include <CGAL/Surface_mesh_denoising/internal/Vertex_neighbors.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
+#include <CGAL/Surface_mesh_denoising/internal/to_eigen.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -128,9 +129,6 @@ private:
     }
 
     Eigen::Vector3d best_move() const { return matrix.llt().solve(vector); }
-
-  private:
-    static Eigen::Vector3d to_eigen(const Vector_3& v) { return Eigen::Vector3d(v.x(), v.y(), v.z()); }
   };
 
   static void make_set(std::vector<Index>& indices)
@@ -281,10 +279,12 @@ private:
   {
     const double least_gain = 1e-6 * m_noise * m_noise; // less may be rounding
     Change best = { f, 0, {{ false, false }}, 0 };
+    if(!is_as_large_as_noise(f))
+      return best;
     for(std::uint8_t edge=0; edge<3; ++edge)
     {
       const Index g = m_mesh.neighbors(f)[edge];
-      if(!is_edge(f, g) || !is_as_large_as_noise(f))
+      if(!is_edge(f, g))
         continue;
       for(const bool around_first : {false, true})
         for(const bool around_second : {false, true})

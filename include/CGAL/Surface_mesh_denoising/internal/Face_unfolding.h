@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_denoising/internal/Vertex_neighbors.h>
 #include <CGAL/Surface_mesh_denoising/internal/normals.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
+#include <CGAL/Surface_mesh_denoising/internal/to_eigen.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -205,7 +206,6 @@ private:
     if(!(area > 0))
       return;
 
-    const auto to_eigen = [](const Vector_3& w) { return Eigen::Vector3d(w.x(), w.y(), w.z()); };
     Eigen::Matrix3d planes = (m_parameters.unfolding_drag * area) * Eigen::Matrix3d::Identity();
     for(const Index f : faces)
       if(!m_is_folded[f])

@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_denoising/internal/normals.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
 #include <CGAL/Surface_mesh_denoising/internal/sine_key.h>
+#include <CGAL/Surface_mesh_denoising/internal/to_eigen.h>
 
 #include <CGAL/tags.h>
 
@@ -104,10 +105,7 @@ public:
                 s.m[1], s.m[3], s.m[4],
                 s.m[2], s.m[4], s.m[5];
       matrix /= s.weight;
-      const Vector_3 move = points[v] - m_observed[v];
-      const Eigen::Vector3d pilot(move.x(), move.y(), move.z());
-      const Eigen::Vector3d rhs(s.rhs.x(), s.rhs.y(), s.rhs.z());
-      const Eigen::Vector3d residual = rhs / s.weight - matrix * pilot;
+      const Eigen::Vector3d residual = to_eigen(s.rhs) / s.weight - matrix * to_eigen(points[v] - m_observed[v]);
       matrix.diagonal().array() += m_parameters.tangential_weight;
       const Eigen::Vector3d d = matrix.llt().solve(residual);
       if(d.allFinite())
