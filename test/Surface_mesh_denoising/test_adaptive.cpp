@@ -437,23 +437,48 @@ TEST(Tangential_noise, Goes)
   }
 }
 
-TEST(Tangential_noise, Relaxation_keeps_planes_and_edges)
+// `noise` is in mean edge lengths
+Mesh relaxed_along_surface(Mesh mesh, const double noise)
 {
-  const Mesh truth = irregular_mesh(models::cube, 6000);
-  Mesh mesh = truth;
   SMD::Indexed_triangle_mesh indexed = indexed_mesh(mesh);
   const std::vector<bool> is_movable(indexed.number_of_vertices(), true);
   SMD::internal::relax_along_surface<CGAL::Sequential_tag>(indexed, is_movable, SMD::internal::Vertex_neighbors(indexed),
-                                                           0.5, SMD::internal::Adaptive_parameters());
-  std::size_t number_of_moved = 0, i = 0;
+                                                           0.5, noise * indexed.mean_edge_length(),
+                                                           SMD::internal::Adaptive_parameters());
+  std::size_t i = 0;
   for(const Vertex v : mesh.vertices())
   {
     const SMD::Indexed_triangle_mesh::Point_3& p = indexed.point(i++);
-    number_of_moved += squared_distance(mesh.point(v), Point(p.x(), p.y(), p.z())) > 1e-6;
     mesh.point(v) = Point(p.x(), p.y(), p.z());
   }
+  return mesh;
+}
+
+TEST(Tangential_noise, Relaxation_keeps_planes_and_edges)
+{
+  const Mesh truth = irregular_mesh(models::cube, 6000), mesh = relaxed_along_surface(truth, 1);
+  std::size_t number_of_moved = 0;
+  for(const Vertex v : mesh.vertices())
+    number_of_moved += squared_distance(mesh.point(v), truth.point(v)) > 1e-6;
   EXPECT_GT(number_of_moved, 1000u);
   EXPECT_LT(SMD::vertex_distance_error(mesh, truth).in_mean_edge_lengths().area_weighted_l2, 0.005);
+}
+
+TEST(Tangential_noise, Relaxation_spares_triangles_that_are_uneven_without_noise)
+{
+  for(const Model_generator model : {models::cube, models::sphere})
+  {
+    const Mesh truth = irregular_mesh(model, 6000);
+    const auto squared_move = [&](const Mesh& mesh)
+    {
+      double sum = 0;
+      for(const Vertex v : mesh.vertices())
+        sum += squared_distance(mesh.point(v), truth.point(v));
+      return sum;
+    };
+    EXPECT_EQ(squared_move(relaxed_along_surface(truth, 0)), 0);
+    EXPECT_LT(squared_move(relaxed_along_surface(truth, 0.05)), 0.05 * squared_move(relaxed_along_surface(truth, 1)));
+  }
 }
 
 TEST(Replace_turned_normals, Finds_the_face_that_is_turned)

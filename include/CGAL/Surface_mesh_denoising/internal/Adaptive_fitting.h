@@ -196,7 +196,8 @@ private:
     if(m_parameters.unfold_faces)
       unfold_faces(mesh, observed, is_movable, neighbors);
     relax_along_surface<ConcurrencyTag>(mesh, is_movable, neighbors,
-                                        m_parameters.sliding_share * (std::min)(certainty, 1.), m_parameters);
+                                        m_parameters.sliding_share * (std::min)(certainty, 1.), m_noise,
+                                        m_parameters);
 
     std::vector<Vector_3> normals;
     compute_vertex_normals<ConcurrencyTag>(mesh, normals);

@@ -64,7 +64,8 @@ struct Adaptive_parameters
   double sure_tangential_ratio = 0.4;           // up to this, the larger it is
   std::size_t sliding_number_of_steps = 3;
   double sliding_share = 0.5;                   // of the way to the center of the neighbors
-  double sliding_range = 0.3;                   // of the deviation of normals around a vertex
+  double sliding_range = 0.35;                  // of the deviation of normals around a vertex
+  std::size_t sliding_number_of_averages = 12;  // over windows of about seventy vertices
 
   // The gentle path: a wide range, which spares small detail as it tells little from noise, and many small steps.
   double gentle_range = 9;                      // times noise

@@ -14,10 +14,16 @@
 #include <CGAL/Surface_mesh_denoising/internal/Adaptive_parameters.h>
 #include <CGAL/Surface_mesh_denoising/internal/Normal_evolution.h>
 #include <CGAL/Surface_mesh_denoising/internal/Vertex_neighbors.h>
+#include <CGAL/Surface_mesh_denoising/internal/mixing.h>
 #include <CGAL/Surface_mesh_denoising/internal/normals.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
+#include <CGAL/Surface_mesh_denoising/internal/surface_fit.h>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -69,39 +75,98 @@ double tangential_noise_ratio(const Indexed_triangle_mesh& mesh,
        / (total([](const Counts& c) { return c.expected; }) + parameters.least_share_of_turned_faces * whole);
 }
 
-// Vertices slide towards the centers of their neighbors, where the surface is smooth
+// From each vertex inside to the center of its neighbors, along the surface
+template <typename ConcurrencyTag>
+void compute_ways_to_centers(const Indexed_triangle_mesh& mesh, const Vertex_neighbors& neighbors,
+                             const std::vector<Indexed_triangle_mesh::Vector_3>& vertex_normals,
+                             std::vector<Indexed_triangle_mesh::Vector_3>& ways)
+{
+  typedef Indexed_triangle_mesh::Vector_3 Vector_3;
+
+  ways.assign(vertex_normals.size(), Vector_3(0, 0, 0));
+  for_each_index<ConcurrencyTag>(ways.size(), [&](const std::size_t v)
+  {
+    if(!neighbors.is_inside(v))
+      return;
+    const Vector_3 way = to_center(mesh, neighbors, v);
+    ways[v] = way - (way * vertex_normals[v]) * vertex_normals[v];
+  });
+}
+
+// What of these ways is noise, which is as strong along the surface as across it: the rest is how uneven the triangles of the
+// surface itself are. For each vertex the share of the squares, in the mean around it (Wiener's filter)
+template <typename ConcurrencyTag>
+std::vector<double> noise_shares_of_ways(const std::vector<Indexed_triangle_mesh::Vector_3>& ways,
+                                         const Vertex_neighbors& neighbors, const double noise,
+                                         const Adaptive_parameters& parameters)
+{
+  std::vector<Mixing_moments<1> > moments(ways.size());
+  for_each_index<ConcurrencyTag>(ways.size(), [&](const std::size_t v)
+  {
+    moments[v].products[0] = moments[v].squares[0] = 0;
+    if(!neighbors.is_inside(v))
+      return;
+    moments[v].products[0] = float(2 * noise * noise * (1 + 1 / double(neighbors(v).size())));
+    moments[v].squares[0] = float(ways[v].squared_length());
+  });
+  average_over_neighbors<ConcurrencyTag>(neighbors, parameters.sliding_number_of_averages, moments);
+  std::vector<double> shares(ways.size(), 1);
+  for_each_index<ConcurrencyTag>(shares.size(), [&](const std::size_t v)
+  {
+    if(moments[v].products[0] < moments[v].squares[0])
+      shares[v] = moments[v].products[0] / moments[v].squares[0];
+  });
+  return shares;
+}
+
+// Vertices slide towards the centers of their neighbors as far as noise took them away from there, in the directions in which
+// normals do not change: on an edge, along the edge; `noise` is in the unit of the coordinates
 template <typename ConcurrencyTag>
 void relax_along_surface(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable,
-                         const Vertex_neighbors& neighbors, const double share, const Adaptive_parameters& parameters)
+                         const Vertex_neighbors& neighbors, const double share, const double noise,
+                         const Adaptive_parameters& parameters)
 {
   typedef Indexed_triangle_mesh::Index      Index;
   typedef Indexed_triangle_mesh::Point_3    Point_3;
   typedef Indexed_triangle_mesh::Vector_3   Vector_3;
 
   const double factor = 0.5 / (parameters.sliding_range * parameters.sliding_range);
-  std::vector<Vector_3> normals, vertex_normals;
-  std::vector<double> areas;
+  std::vector<Vector_3> normals, vertex_normals, ways;
+  std::vector<double> areas, noise_shares;
   std::vector<Point_3> points(mesh.number_of_vertices());
   for(std::size_t k=0; k<parameters.sliding_number_of_steps; ++k)
   {
     compute_face_normals<ConcurrencyTag>(mesh, normals, areas);
     compute_vertex_normals<ConcurrencyTag>(mesh, normals, areas, vertex_normals);
+    compute_ways_to_centers<ConcurrencyTag>(mesh, neighbors, vertex_normals, ways);
+    if(k == 0)
+      noise_shares = noise_shares_of_ways<ConcurrencyTag>(ways, neighbors, noise, parameters);
     for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
     {
       points[v] = mesh.point(v);
-      if(!is_movable[v] || !neighbors.is_inside(v))
+      if(!is_movable[v])
         return;
-      const Vector_3& normal = vertex_normals[v];
-      double deviation = 0, area = 0;
+      const std::array<Vector_3, 2> tangents = tangent_frame(vertex_normals[v]);
+      Eigen::Matrix2d deviations = Eigen::Matrix2d::Zero();
+      double area = 0;
       for(const Index f : mesh.faces_around_vertex(v))
       {
-        deviation += areas[f] * (normals[f] - normal).squared_length();
+        // along the deviation, with the square of its length
+        const Eigen::Vector2d direction(normals[f] * tangents[0], normals[f] * tangents[1]);
+        const double scale = 2 / (std::max)(0.1, 1 + normals[f] * vertex_normals[v]);
+        deviations += (areas[f] * scale) * direction * direction.transpose();
         area += areas[f];
       }
       if(!(area > 0))
         return;
-      const Vector_3 move = to_center(mesh, neighbors, v);
-      points[v] = points[v] + (share * bell(factor * deviation / area)) * (move - (move * normal) * normal);
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+      solver.computeDirect(deviations / area);
+      const auto axes = solver.eigenvectors();
+      Eigen::Vector2d way = axes.transpose() * Eigen::Vector2d(ways[v] * tangents[0], ways[v] * tangents[1]);
+      for(int i=0; i<2; ++i)
+        way[i] *= share * noise_shares[v] * bell(factor * solver.eigenvalues()[i]);
+      way = axes * way;
+      points[v] = points[v] + (way[0] * tangents[0] + way[1] * tangents[1]);
     });
     mesh.swap_points(points);
   }
