@@ -93,16 +93,17 @@ struct Adaptive_parameters
 
   // Patches
   double normal_weight = 150;
-  std::array<std::size_t, 10> patch_sizes{{12, 18, 27, 40, 60, 90, 135, 200, 300, 450}}; // faces
+  std::array<std::size_t, 12> patch_sizes{{12, 18, 27, 40, 60, 90, 135, 200, 300, 450, 675, 1000}}; // faces
   std::size_t fixed_patch_size = 40;            // where sizes are not adaptive
   std::size_t least_number_of_points = 8;
   double patch_extent = 14;                     // a length of about the radius of a patch, in distances of centroids
-  double degree_threshold = 4;                  // a quadric takes this gain in squared residuals, in noise^2
+  double degree_threshold = 5;                  // a quadric takes this gain in squared residuals, in noise^2
   double pilot_noise = 0.3;                     // what is left of the noise in the pilot's points, times noise
   double pilot_correlation = 6;                 // about so many neighbors share it
   double hopeless_risk = 2;                     // a patch stops growing when its risk is so many times the least
-  std::size_t least_cover = 4;                  // patches over each face
-  std::size_t number_of_rounds = 8;             // in which seeds are chosen
+  double core_share = 0.25;                     // the share of the faces of a patch that need none of their own
+  std::size_t number_of_rounds = 8;             // in which seeds are chosen,
+  std::size_t rings_around_first_seeds = 3;     // without another seed in so many rings, one less from round to round
   double tangential_weight = 0.01;              // holds a vertex in the directions that its patches leave free
   std::size_t patch_number_of_moves = 3;
 

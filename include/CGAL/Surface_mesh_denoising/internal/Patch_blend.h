@@ -30,7 +30,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <type_traits>
 #include <vector>
 
@@ -58,7 +57,7 @@ public:
       m_geometry(mesh, ConcurrencyTag()), m_mean_edge_length(mean_edge_length),
       m_extent(parameters.patch_extent * m_geometry.mean_centroid_distance()),
       m_squared_noise((std::max)(noise * noise, 1e-16 * mean_edge_length * mean_edge_length)),
-      m_cover(mesh.number_of_faces(), 0), m_normal_sums(mesh.number_of_faces(), Vector_3(0, 0, 0)),
+      m_is_in_core(mesh.number_of_faces(), false), m_normal_sums(mesh.number_of_faces(), Vector_3(0, 0, 0)),
       m_vertex_sums(mesh.number_of_vertices())
   {
     std::vector<double> areas;
@@ -73,7 +72,7 @@ public:
     std::vector<Index> seeds;
     for(std::size_t round=0; round<parameters.number_of_rounds; ++round)
     {
-      choose_seeds(round == 0, seeds);
+      choose_seeds(round, seeds);
       if(seeds.empty())
         break;
       add_patches(dual, seeds);
@@ -305,28 +304,30 @@ private:
     });
   }
 
-  // In the first round the faces with the least key among all around them, about one in thirteen; then, among those that
-  // too few patches cover, the faces with the least key of their neighbors. No order of the faces plays a part.
-  void choose_seeds(const bool is_first_round, std::vector<Index>& seeds)
+  // Faces outside the cores of all patches, with the least key of the faces like that in some rings around them: fewer rings
+  // from round to round, so that large patches leave large distances between seeds. No order of the faces plays a part.
+  void choose_seeds(const std::size_t round, std::vector<Index>& seeds) const
   {
-    const auto is_candidate = [&](const std::size_t f)
-    { return m_keys[f] <= 1 && m_cover[f] < m_parameters.least_cover; };
-    std::vector<std::uint8_t> is_seed(m_mesh.number_of_faces());
-    for_each_index<ConcurrencyTag>(is_seed.size(), [&](const std::size_t f)
+    const std::size_t number_of_rings
+      = (round + 1 < m_parameters.rings_around_first_seeds) ? m_parameters.rings_around_first_seeds - round : 1;
+    const auto is_candidate = [&](const std::size_t f) { return m_keys[f] <= 1 && !m_is_in_core[f]; };
+    std::vector<double> least_keys(m_keys.size()), wider_least_keys(m_keys.size());
+    for_each_index<ConcurrencyTag>(least_keys.size(), [&](const std::size_t f)
+    { least_keys[f] = is_candidate(f) ? m_keys[f] : 2; });
+    for(std::size_t k=0; k<number_of_rings; ++k)
     {
-      const auto gives_way_to = [&](const Index g)
+      for_each_index<ConcurrencyTag>(least_keys.size(), [&](const std::size_t f)
       {
-        return g != Indexed_triangle_mesh::null_index() && is_candidate(g) && m_keys[g] < m_keys[f];
-      };
-      const auto around = m_mesh.faces_around_face(f);
-      const auto& neighbors = m_mesh.neighbors(f);
-      is_seed[f] = is_candidate(f)
-                && !(is_first_round ? std::any_of(around.begin(), around.end(), gives_way_to)
-                                    : std::any_of(neighbors.begin(), neighbors.end(), gives_way_to));
-    });
+        double least = least_keys[f];
+        for(const Index g : m_mesh.faces_around_face(f))
+          least = (std::min)(least, least_keys[g]);
+        wider_least_keys[f] = least;
+      });
+      least_keys.swap(wider_least_keys);
+    }
     seeds.clear();
-    for(std::size_t f=0; f<is_seed.size(); ++f)
-      if(is_seed[f])
+    for(std::size_t f=0; f<m_keys.size(); ++f)
+      if(is_candidate(f) && m_keys[f] == least_keys[f])
         seeds.push_back(Index(f));
   }
 
@@ -352,18 +353,18 @@ private:
 
       for(std::size_t i=0; i<n; ++i)
       {
-        for(const Face_term& t : patches[i].faces)
-        {
+        const std::vector<Face_term>& faces = patches[i].faces; // the nearest first
+        for(const Face_term& t : faces)
           m_normal_sums[t.face] += t.weighted_normal;
-          m_cover[t.face] += (m_cover[t.face] < m_parameters.least_cover);
-        }
+        for(std::size_t k=0; double(k) < m_parameters.core_share * double(faces.size()); ++k)
+          m_is_in_core[faces[k].face] = true;
         for(const Vertex_term& t : patches[i].vertices)
           m_vertex_sums[t.vertex].add(t);
       }
     }
     // a seed without a fit will not get one
     for(const Index f : seeds)
-      if(m_cover[f] == 0)
+      if(!m_is_in_core[f])
         m_keys[f] = 2;
   }
 
@@ -378,7 +379,7 @@ private:
 
   std::vector<Vector_3> m_normals;
   std::vector<double> m_keys;
-  std::vector<std::uint8_t> m_cover;
+  std::vector<bool> m_is_in_core; // of a patch
   std::vector<Vector_3> m_normal_sums;
   std::vector<Vertex_sum> m_vertex_sums;
 };
