@@ -890,11 +890,18 @@ TEST(Adaptive_fitting, Neighborhoods_do_not_cross_constrained_edges)
   Mesh truth = plane();
   for(const Vertex v : truth.vertices())
     truth.point(v) = Point(truth.point(v).x(), truth.point(v).y(), 0.22 * std::abs(truth.point(v).x() - 30));
-  Mesh noisy = with_noise(truth, 0.4);
-  auto constrained = noisy.add_property_map<Edge, bool>("e:constrained", false).first;
-  for(const Edge e : noisy.edges())
-    constrained[e] = truth.point(noisy.vertex(e, 0)).x() == 30 && truth.point(noisy.vertex(e, 1)).x() == 30;
-  EXPECT_LT(error(denoised(noisy, params::edge_is_constrained_map(constrained)), truth), error(denoised(noisy), truth));
+  double sum = 0, sum_without = 0; // by chance, noise may look like a shape
+  for(const unsigned int seed : {1, 2, 3, 4})
+  {
+    Mesh noisy = truth;
+    SMD::add_noise(noisy, params::noise_level(0.4).random_seed(seed));
+    auto constrained = noisy.add_property_map<Edge, bool>("e:constrained", false).first;
+    for(const Edge e : noisy.edges())
+      constrained[e] = truth.point(noisy.vertex(e, 0)).x() == 30 && truth.point(noisy.vertex(e, 1)).x() == 30;
+    sum += error(denoised(noisy, params::edge_is_constrained_map(constrained)), truth);
+    sum_without += error(denoised(noisy), truth);
+  }
+  EXPECT_LT(sum, 0.75 * sum_without);
 }
 
 TEST(Adaptive_fitting, The_visitor_sees_each_iteration)

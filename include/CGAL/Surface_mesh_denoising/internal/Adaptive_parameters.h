@@ -112,6 +112,7 @@ struct Adaptive_parameters
   double window_points_per_average = 6.2;       // the window then has about so many points for each average
   double band_penalty = 3;                      // how far local weights keep to that of the whole mesh
   double mixing_penalty = 32;                   // that of two estimates
+  double mesh_penalty = 0.125;                  // how far the weight of the whole mesh keeps to zero, times these
   // The fits of patches follow the noise by their leverages, and where their sizes were chosen to follow detail, they follow
   // the noise by that choice, too.
   double unadapted_leverage = 0.016;            // that of patches of the largest size

@@ -103,7 +103,7 @@ inline double shrunk(const double deviation, const double square, const double s
 }
 
 // The weight t, in [0, 1], of the fine estimate at each vertex. That of a window keeps to that of the whole mesh as far as
-// its deviation may be chance. Uses up the moments
+// its deviation may be chance, and that of the whole mesh to zero. Uses up the moments
 template <typename ConcurrencyTag, std::size_t N>
 std::vector<std::array<float, N> >
 local_weights(const Vertex_neighbors& neighbors, const Adaptive_parameters& parameters, const double squared_noise,
@@ -111,9 +111,13 @@ local_weights(const Vertex_neighbors& neighbors, const Adaptive_parameters& para
 {
   std::array<double, N> means;
   for(std::size_t i=0; i<N; ++i)
-    means[i] = weight_of_mesh<ConcurrencyTag>(moments.size(),
-                                              [&](const std::size_t v) { return double(moments[v].products[i]); },
-                                              [&](const std::size_t v) { return double(moments[v].squares[i]); }).weight;
+  {
+    const Weight_of_mesh whole
+      = weight_of_mesh<ConcurrencyTag>(moments.size(),
+                                       [&](const std::size_t v) { return double(moments[v].products[i]); },
+                                       [&](const std::size_t v) { return double(moments[v].squares[i]); });
+    means[i] = (whole.square > 0) ? shrunk(whole.weight, whole.square, squared_noise, parameters.mesh_penalty * penalty) : 0;
+  }
 
   average_over_neighbors<ConcurrencyTag>(neighbors, parameters.window_number_of_averages, moments);
 
