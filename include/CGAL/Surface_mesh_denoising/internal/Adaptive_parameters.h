@@ -115,7 +115,7 @@ struct Adaptive_parameters
   double mesh_penalty = 0.125;                  // how far the weight of the whole mesh keeps to zero, times these
   // The fits of patches follow the noise by their leverages, and where their sizes were chosen to follow detail, they follow
   // the noise by that choice, too.
-  double unadapted_leverage = 0.016;            // that of patches of the largest size
+  double unadapted_leverage = 0.016;            // that of large patches
   double adaptation_factor = 1.5;               // of what leverages have beyond
 
   // Reassignment of faces

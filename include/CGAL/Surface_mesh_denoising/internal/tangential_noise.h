@@ -144,7 +144,7 @@ void relax_along_surface(Indexed_triangle_mesh& mesh, const std::vector<bool>& i
     for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
     {
       points[v] = mesh.point(v);
-      if(!is_movable[v])
+      if(!is_movable[v] || is_null(ways[v]))
         return;
       const std::array<Vector_3, 2> tangents = tangent_frame(vertex_normals[v]);
       Eigen::Matrix2d deviations = Eigen::Matrix2d::Zero();
