@@ -321,6 +321,18 @@ TEST(Adaptive_fitting, Impulses_go)
   EXPECT_EQ(points_of(denoised(other)), points_of(denoised(other, params::remove_impulses(false))));
 }
 
+// edges of 150 degrees between sides a few triangles wide: with a noise level that is too high they merge
+TEST(Adaptive_fitting, Impulses_leave_obtuse_edges_of_coarse_meshes)
+{
+  const Mesh truth = irregular_mesh(models::obtuse_prism, 1500);
+  for(const unsigned int seed : { 1, 2, 3 })
+  {
+    Mesh noisy = truth;
+    SMD::add_noise(noisy, params::noise_level(0.5).noise_share(0.1).random_seed(seed));
+    EXPECT_LT(error(denoised(noisy), truth), 0.5);
+  }
+}
+
 // with so much of it, turned faces lie side by side
 TEST(Adaptive_fitting, Clusters_of_turned_faces_face_outwards_again)
 {

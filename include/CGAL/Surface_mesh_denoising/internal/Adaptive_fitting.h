@@ -212,8 +212,8 @@ private:
 
   // Impulses leave the median of the residuals, on which the noise level rests, as it is: tails that are too heavy for it tell
   // them. Then the observed points lose what their residuals have too much, and the noise level is raised so that a pilot
-  // leaves nothing of what remains; later rounds see how much that is, and lower it. `original` keeps what was observed.
-  // Returns whether there are impulses
+  // leaves nothing of what remains; later rounds see how much that is, and lower it, or need not. `original` keeps what was
+  // observed. Returns whether there is more to do
   bool remove_impulses(const Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable, const bool is_first_round,
                        std::vector<Point_3>& observed, std::vector<Point_3>& original)
   {
@@ -245,7 +245,12 @@ private:
                                             * root_mean_square((std::numeric_limits<double>::max)()));
     }
     else
-      m_noise = (std::min)(m_noise, m_parameters.later_correction * root_mean_square(limit));
+    {
+      const double noise = m_parameters.later_correction * root_mean_square(limit);
+      if(!(noise < m_noise))
+        return false;
+      m_noise = noise;
+    }
 
     if(original.empty())
       original = observed;

@@ -42,7 +42,7 @@ struct Adaptive_parameters
   double largest_residual = 4;                  // and the observed points here
   std::size_t impulse_number_of_rounds = 2;
   double maximal_correction = 1.5;              // in the first round
-  double later_correction = 2.5;                // then
+  double later_correction = 1.5;                // then
 
   // The pilot. The normal of a face is off by about twice the noise: the range of the filter starts a little above and
   // shrinks with the noise that is left, so that first the noise goes and then the edges come out.
@@ -112,7 +112,7 @@ struct Adaptive_parameters
   double window_points_per_average = 6.2;       // the window then has about so many points for each average
   double band_penalty = 3;                      // how far local weights keep to that of the whole mesh
   double mixing_penalty = 32;                   // that of two estimates
-  double mesh_penalty = 0.125;                  // how far the weight of the whole mesh keeps to zero, times these
+  double mesh_penalty = 8;                      // how far the weight of the whole mesh keeps to zero
   // The fits of patches follow the noise by their leverages, and where their sizes were chosen to follow detail, they follow
   // the noise by that choice, too.
   double unadapted_leverage = 0.016;            // that of large patches

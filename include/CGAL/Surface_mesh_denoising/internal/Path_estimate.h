@@ -73,8 +73,7 @@ Estimate estimate_along(Path& path, const std::vector<Indexed_triangle_mesh::Poi
   for(const std::size_t end : global_band_ends)
   {
     path.go_to(end);
-    const Weight_of_mesh w = weight_of_mesh<ConcurrencyTag>(n, product, square);
-    const double t = (w.square > 0) ? shrunk(w.weight, w.square, noise * noise, parameters.band_penalty) : 0;
+    const double t = weight_of_mesh<ConcurrencyTag>(n, product, square, noise * noise, parameters);
     for_each_index<ConcurrencyTag>(n, [&](const std::size_t v)
     {
       given_back[v] += t * difference(v);

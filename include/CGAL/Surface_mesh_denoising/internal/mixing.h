@@ -79,21 +79,6 @@ void average_over_neighbors(const Vertex_neighbors& neighbors, const std::size_t
   }
 }
 
-// The weight t of the whole mesh, in [0, 1]
-struct Weight_of_mesh
-{
-  double weight;
-  double square; // the sum of (f - c)^2
-};
-
-// `product(v)` and `square(v)` are the moments at vertex v
-template <typename ConcurrencyTag, typename Product, typename Square>
-Weight_of_mesh weight_of_mesh(const std::size_t number_of_vertices, const Product& product, const Square& square)
-{
-  const double p = sum<ConcurrencyTag>(number_of_vertices, product), s = sum<ConcurrencyTag>(number_of_vertices, square);
-  return { (s > 0) ? (std::min)(1., (std::max)(0., p / s)) : 0, s };
-}
-
 // `deviation` of a weight, less what chance explains (James and Stein). `square` is that of the points it rests on
 inline double shrunk(const double deviation, const double square, const double squared_noise, const double penalty)
 {
@@ -102,8 +87,20 @@ inline double shrunk(const double deviation, const double square, const double s
   return (squared_deviation > by_chance) ? deviation * (1 - by_chance / squared_deviation) : 0;
 }
 
+// The weight t of the whole mesh, in [0, 1], which keeps to zero as far as it may be chance. `product(v)` and `square(v)`
+// are the moments at vertex v
+template <typename ConcurrencyTag, typename Product, typename Square>
+double weight_of_mesh(const std::size_t number_of_vertices, const Product& product, const Square& square,
+                      const double squared_noise, const Adaptive_parameters& parameters)
+{
+  const double p = sum<ConcurrencyTag>(number_of_vertices, product), s = sum<ConcurrencyTag>(number_of_vertices, square);
+  if(!(s > 0))
+    return 0;
+  return shrunk((std::min)(1., (std::max)(0., p / s)), s, squared_noise, parameters.mesh_penalty);
+}
+
 // The weight t, in [0, 1], of the fine estimate at each vertex. That of a window keeps to that of the whole mesh as far as
-// its deviation may be chance, and that of the whole mesh to zero. Uses up the moments
+// its deviation may be chance. Uses up the moments
 template <typename ConcurrencyTag, std::size_t N>
 std::vector<std::array<float, N> >
 local_weights(const Vertex_neighbors& neighbors, const Adaptive_parameters& parameters, const double squared_noise,
@@ -111,13 +108,10 @@ local_weights(const Vertex_neighbors& neighbors, const Adaptive_parameters& para
 {
   std::array<double, N> means;
   for(std::size_t i=0; i<N; ++i)
-  {
-    const Weight_of_mesh whole
-      = weight_of_mesh<ConcurrencyTag>(moments.size(),
-                                       [&](const std::size_t v) { return double(moments[v].products[i]); },
-                                       [&](const std::size_t v) { return double(moments[v].squares[i]); });
-    means[i] = (whole.square > 0) ? shrunk(whole.weight, whole.square, squared_noise, parameters.mesh_penalty * penalty) : 0;
-  }
+    means[i] = weight_of_mesh<ConcurrencyTag>(moments.size(),
+                                              [&](const std::size_t v) { return double(moments[v].products[i]); },
+                                              [&](const std::size_t v) { return double(moments[v].squares[i]); },
+                                              squared_noise, parameters);
 
   average_over_neighbors<ConcurrencyTag>(neighbors, parameters.window_number_of_averages, moments);
 
