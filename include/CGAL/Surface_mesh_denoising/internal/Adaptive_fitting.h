@@ -205,8 +205,7 @@ private:
       original = observed;
     for_each_index<ConcurrencyTag>(observed.size(), [&](const std::size_t v)
     {
-      const Vector_3 move = mesh.point(v) - before[v];
-      observed[v] = observed[v] + (move - (move * normals[v]) * normals[v]);
+      observed[v] = observed[v] + along_surface(mesh.point(v) - before[v], normals[v]);
     });
   }
 

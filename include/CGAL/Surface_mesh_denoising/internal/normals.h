@@ -42,6 +42,13 @@ inline bool is_null(const Indexed_triangle_mesh::Vector_3& v)
   return v.x() == 0 && v.y() == 0 && v.z() == 0;
 }
 
+// the part of `v` across the unit normal `n`
+inline Indexed_triangle_mesh::Vector_3 along_surface(const Indexed_triangle_mesh::Vector_3& v,
+                                                     const Indexed_triangle_mesh::Vector_3& n)
+{
+  return v - (v * n) * n;
+}
+
 // the normals and areas of the faces. A degenerate face has the area zero, and the normal of the faces around it
 template <typename ConcurrencyTag>
 void compute_face_normals(const Indexed_triangle_mesh& mesh,

@@ -88,8 +88,7 @@ void compute_ways_to_centers(const Indexed_triangle_mesh& mesh, const Vertex_nei
   {
     if(!neighbors.is_inside(v))
       return;
-    const Vector_3 way = to_center(mesh, neighbors, v);
-    ways[v] = way - (way * vertex_normals[v]) * vertex_normals[v];
+    ways[v] = along_surface(to_center(mesh, neighbors, v), vertex_normals[v]);
   });
 }
 
