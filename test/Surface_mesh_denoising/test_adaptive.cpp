@@ -905,8 +905,7 @@ TEST(Adaptive_fitting, Neighborhoods_do_not_cross_constrained_edges)
   double sum = 0, sum_without = 0; // by chance, noise may look like a shape
   for(const unsigned int seed : {1, 2, 3, 4})
   {
-    Mesh noisy = truth;
-    SMD::add_noise(noisy, params::noise_level(0.4).random_seed(seed));
+    Mesh noisy = with_noise(truth, 0.4, seed);
     auto constrained = noisy.add_property_map<Edge, bool>("e:constrained", false).first;
     for(const Edge e : noisy.edges())
       constrained[e] = truth.point(noisy.vertex(e, 0)).x() == 30 && truth.point(noisy.vertex(e, 1)).x() == 30;
