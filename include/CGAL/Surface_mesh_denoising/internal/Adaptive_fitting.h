@@ -161,7 +161,8 @@ private:
     {
       const double progress = double(k) / double(number_of_steps - 1);
       const std::vector<Point_3> before = mesh.points();
-      evolve.update_weights(mesh);
+      if(k % m_parameters.pilot_steps_between_weights == 0)
+        evolve.update_weights(mesh);
       evolve(mesh, is_movable, Evolution_step{ first_range * std::pow(last_range / first_range, progress), true,
                                                1, m_parameters.pilot_number_of_moves });
       ++result.number_of_iterations;

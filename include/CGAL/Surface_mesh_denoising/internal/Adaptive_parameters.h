@@ -49,6 +49,7 @@ struct Adaptive_parameters
   std::size_t pilot_number_of_steps = 14;       // and more where
   double pilot_strong_noise = 0.47;             // noise is more than this,
   double pilot_steps_by_strong_noise = 200;     // so many for each edge length more
+  std::size_t pilot_steps_between_weights = 3;  // areas and distances become weights once in so many steps
   std::size_t pilot_number_of_moves = 3;
   double pilot_first_range = 2.5;               // times noise
   double pilot_last_range = 1;                  // times noise
@@ -71,8 +72,7 @@ struct Adaptive_parameters
   double gentle_range = 9;                      // times noise
   double gentle_normal_growth = 0.625;          // step k filters the normals 1 + growth (noise k)^2 times
   double gentle_move_growth = 1;                // and moves the vertices 2 + growth noise k times
-  double gentle_maximal_growth = 10;            // times noise,
-  double gentle_least_maximal_growth = 3;       // or this where it is more
+  double gentle_maximal_growth = 3;
   double largest_range = 1.5;
   std::size_t gentle_number_of_steps = 19;      // and then one step of relaxation
   std::array<std::size_t, 3> gentle_global_band_ends = {{ 1, 2, 4 }};

@@ -86,8 +86,7 @@ private:
   Evolution_step step() const
   {
     const Adaptive_parameters& p = m_parameters;
-    const double maximal_growth = (std::max)(p.gentle_least_maximal_growth, p.gentle_maximal_growth * m_relative_noise);
-    const auto growth = [&](const double g) { return std::size_t((std::min)(g, maximal_growth)); };
+    const auto growth = [&](const double g) { return std::size_t((std::min)(g, p.gentle_maximal_growth)); };
     const double progress = m_relative_noise * double(m_step);
     return { (std::min)(p.gentle_range * m_relative_noise, p.largest_range), false,
              1 + growth(p.gentle_normal_growth * progress * progress), 2 + growth(p.gentle_move_growth * progress) };
