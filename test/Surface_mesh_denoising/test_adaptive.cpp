@@ -642,14 +642,17 @@ TEST(Linear_path, Helps_where_triangles_are_smaller_than_the_noise)
 {
   double sum_of_ratios = 0, sum_of_distance_ratios = 0;
   for(const Model_generator model : {models::organic_shape, models::cut_sphere})
+  {
+    const Mesh truth = uneven_mesh(model);
     for(const unsigned int seed : {1, 2, 3})
     {
-      const Mesh truth = uneven_mesh(model), noisy = with_noise(truth, 0.6, seed);
+      const Mesh noisy = with_noise(truth, 0.6, seed);
       const Mesh result = denoised(noisy), without = denoised(noisy, params::use_linear_path(false));
       sum_of_ratios += error(result, truth) / error(without, truth);
       sum_of_distance_ratios += SMD::vertex_distance_error(result, truth).area_weighted_l2
                               / SMD::vertex_distance_error(without, truth).area_weighted_l2;
     }
+  }
   EXPECT_LT(sum_of_ratios, 6 * 0.75);
   EXPECT_LT(sum_of_distance_ratios, 6);
 }

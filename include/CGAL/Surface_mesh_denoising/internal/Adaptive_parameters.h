@@ -72,7 +72,7 @@ struct Adaptive_parameters
   double gentle_range = 9;                      // times noise
   double gentle_normal_growth = 0.625;          // step k filters the normals 1 + growth (noise k)^2 times
   double gentle_move_growth = 1;                // and moves the vertices 2 + growth noise k times
-  double gentle_maximal_growth = 3;
+  double gentle_maximal_growth = 3;             // each of the two grows by no more than this
   double largest_range = 1.5;
   std::size_t gentle_number_of_steps = 19;      // and then one step of relaxation
   std::array<std::size_t, 3> gentle_global_band_ends = {{ 1, 2, 4 }};
