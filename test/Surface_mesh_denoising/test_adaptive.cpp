@@ -640,10 +640,11 @@ TEST(Linear_path, Small_noise_is_not_for_Laplacian_smoothing)
 
 TEST(Linear_path, Helps_where_triangles_are_smaller_than_the_noise)
 {
-  double sum_of_ratios = 0, sum_of_distance_ratios = 0;
+  double sum_of_ratios = 0;
   for(const Model_generator model : {models::organic_shape, models::cut_sphere})
   {
     const Mesh truth = uneven_mesh(model);
+    double sum_of_distance_ratios = 0;
     for(const unsigned int seed : {1, 2, 3})
     {
       const Mesh noisy = with_noise(truth, 0.6, seed);
@@ -652,9 +653,9 @@ TEST(Linear_path, Helps_where_triangles_are_smaller_than_the_noise)
       sum_of_distance_ratios += SMD::vertex_distance_error(result, truth).area_weighted_l2
                               / SMD::vertex_distance_error(without, truth).area_weighted_l2;
     }
+    EXPECT_LT(sum_of_distance_ratios, 3);
   }
-  EXPECT_LT(sum_of_ratios, 6 * 0.75);
-  EXPECT_LT(sum_of_distance_ratios, 6);
+  EXPECT_LT(sum_of_ratios, 6 * 0.85);
 }
 
 // ---- faces at edges
@@ -754,7 +755,7 @@ TEST(Face_reassignment, Helps_where_noise_is_strong)
 {
   std::size_t flips = 0, flips_without = 0;
   double sum_of_ratios = 0;
-  for(const Model_generator model : {models::cube, models::cad_part, models::twirl, models::drilled_block})
+  for(const Model_generator model : {models::cone, models::pyramid_5, models::cut_sphere, models::thin_plate})
   {
     const Mesh truth = irregular_mesh(model, 6000);
     for(const Mesh& noisy : { with_noise(truth, 0.6), with_noise_in_all_directions(truth, 0.6) })

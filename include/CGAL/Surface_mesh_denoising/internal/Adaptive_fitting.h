@@ -246,7 +246,7 @@ private:
     }
     else
     {
-      const double noise = m_parameters.later_correction * root_mean_square(limit);
+      const double noise = m_parameters.maximal_correction * root_mean_square(limit);
       if(!(noise < m_noise))
         return false;
       m_noise = noise;

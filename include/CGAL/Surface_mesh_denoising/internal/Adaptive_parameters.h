@@ -41,8 +41,7 @@ struct Adaptive_parameters
   double largest_tail = 10;                     // standard deviations, as the median tells them: beyond, residuals are cut,
   double largest_residual = 4;                  // and the observed points here
   std::size_t impulse_number_of_rounds = 2;
-  double maximal_correction = 1.5;              // in the first round
-  double later_correction = 1.5;                // then
+  double maximal_correction = 1.5;
 
   // The pilot. The normal of a face is off by about twice the noise: the range of the filter starts a little above and
   // shrinks with the noise that is left, so that first the noise goes and then the edges come out.
@@ -51,9 +50,9 @@ struct Adaptive_parameters
   double pilot_steps_by_strong_noise = 200;     // so many for each edge length more
   std::size_t pilot_steps_between_weights = 3;  // areas and distances become weights once in so many steps
   std::size_t pilot_number_of_moves = 3;
-  double pilot_first_range = 2.5;               // times noise
-  double pilot_last_range = 1;                  // times noise
-  double pilot_maximal_last_range = 0.3;
+  double pilot_first_range = 3.25;              // times noise
+  double pilot_last_range = 0.3;                // times noise
+  double pilot_maximal_last_range = 0.16;
 
   // The share of the area around a face that the sum of the area vectors there must have to tell which side is out.
   double agreement = 0.75;
@@ -97,7 +96,7 @@ struct Adaptive_parameters
   std::size_t fixed_patch_size = 40;            // where sizes are not adaptive
   std::size_t least_number_of_points = 8;
   double patch_extent = 14;                     // a length of about the radius of a patch, in distances of centroids
-  double degree_threshold = 5;                  // a quadric takes this gain in squared residuals, in noise^2
+  double degree_threshold = 11;                 // a quadric takes this gain in squared residuals, in noise^2
   double pilot_noise = 0.3;                     // what is left of the noise in the pilot's points, times noise
   double pilot_correlation = 6;                 // about so many neighbors share it
   double hopeless_risk = 2;                     // a patch stops growing when its risk is so many times the least
