@@ -43,8 +43,8 @@ struct Adaptive_parameters
   std::size_t impulse_number_of_rounds = 2;
   double maximal_correction = 1.5;
 
-  // The pilot. The normal of a face is off by about twice the noise: the range of the filter starts a little above and
-  // shrinks with the noise that is left, so that first the noise goes and then the edges come out.
+  // The pilot. The normal of a face is off by about twice the noise: the range of the filter starts above that and shrinks to
+  // what noise leaves in the end, so that first the noise goes and then the edges come out, obtuse ones last.
   std::size_t pilot_number_of_steps = 14;       // and more where
   double pilot_strong_noise = 0.47;             // noise is more than this,
   double pilot_steps_by_strong_noise = 200;     // so many for each edge length more
