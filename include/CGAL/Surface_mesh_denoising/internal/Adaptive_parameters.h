@@ -41,7 +41,7 @@ struct Adaptive_parameters
   double largest_tail = 10;                     // standard deviations, as the median tells them: beyond, residuals are cut,
   double largest_residual = 4;                  // and the observed points here
   std::size_t impulse_number_of_rounds = 2;
-  double maximal_correction = 1.5;
+  double maximal_correction = 1.5;              // and in later rounds for just so many times that of what remains
 
   // The pilot. The normal of a face is off by about twice the noise: the range of the filter starts above that and shrinks to
   // what noise leaves in the end, so that first the noise goes and then the edges come out, obtuse ones last.
