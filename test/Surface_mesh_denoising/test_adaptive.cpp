@@ -305,6 +305,18 @@ TEST(Adaptive_fitting, Planes_and_edges_come_out_exactly)
   EXPECT_EQ(number_of_flips(result, truth), 0u);
 }
 
+TEST(Adaptive_fitting, Patches_are_better_where_they_are_fitted_twice)
+{
+  double sum_of_ratios = 0;
+  for(const Model_generator model : {models::cube, models::pyramid_5, models::obtuse_prism, models::cylinder})
+    for(const double level : {0.3, 0.6})
+    {
+      const Mesh truth = irregular_mesh(model, 6000), noisy = with_noise(truth, level);
+      sum_of_ratios += error(denoised(noisy), truth) / error(denoised(noisy, params::refit_patches(false)), truth);
+    }
+  EXPECT_LT(sum_of_ratios, 8 * 0.9);
+}
+
 TEST(Adaptive_fitting, Impulses_go)
 {
   const Mesh truth = irregular_mesh(models::cad_part, 8000);
@@ -360,7 +372,7 @@ TEST(Adaptive_fitting, Faces_that_noise_turned_face_outwards_again)
     const auto distance_to_truth = [&](const Mesh& mesh)
     { return SMD::vertex_distance_error(mesh, truth).area_weighted_l2; };
     EXPECT_LT(distance_to_truth(denoised(noisy, params::remove_tangential_noise(false))), 1.02 * distance_to_truth(folded));
-    EXPECT_LT(distance_to_truth(result), 1.1 * distance_to_truth(folded));
+    EXPECT_LT(distance_to_truth(result), 1.15 * distance_to_truth(folded));
     sum_of_distances += distance_to_truth(result) / distance_to_truth(noisy);
     sum_of_distances_of_folded += distance_to_truth(folded) / distance_to_truth(noisy);
   }
@@ -952,9 +964,11 @@ TEST(Adaptive_fitting, The_visitor_sees_each_iteration)
 TEST(Adaptive_fitting, An_exception_leaves_the_mesh_as_it_was)
 {
   const Mesh noisy = noisy_mesh(models::cad_part, 1000, 0.3);
-  for(const std::size_t iteration : {1, 15})
+  Mesh mesh = noisy;
+  const std::size_t last = SMD::denoise_anisotropic_fitting(mesh).number_of_iterations;
+  for(const std::size_t iteration : {std::size_t(1), last})
   {
-    Mesh mesh = noisy;
+    mesh = noisy;
     Counting_visitor visitor;
     visitor.see = [&](const std::size_t i) { if(i == iteration) throw std::runtime_error("enough"); };
     EXPECT_THROW(SMD::denoise_anisotropic_fitting(mesh, params::visitor(std::ref(visitor))), std::runtime_error);

@@ -79,6 +79,7 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
   adaptive.use_adaptive_neighborhoods
     = choose_parameter(get_parameter(np, internal_np::use_adaptive_neighborhoods), true);
   adaptive.use_adaptive_degree = choose_parameter(get_parameter(np, internal_np::use_adaptive_degree), true);
+  adaptive.refit_patches = choose_parameter(get_parameter(np, internal_np::refit_patches), true);
   adaptive.use_gentle_path = choose_parameter(get_parameter(np, internal_np::use_gentle_path), true);
   adaptive.use_linear_path = choose_parameter(get_parameter(np, internal_np::use_linear_path), true);
   adaptive.remove_tangential_noise
@@ -113,7 +114,8 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *   starts from the noise level and shrinks, and vertices moved to agree with them.
 * - <em>Patches</em> are fitted to the points as they were given. The neighborhood of a patch, see
 *   `anisotropic_neighborhood()`, grows over the pilot as long as that promises to lower the error of the fit; so does the
-*   choice between a plane and a quadratic surface. Patches overlap, and each vertex goes where those over it agree best.
+*   choice between a plane and a quadratic surface. Patches overlap, and each vertex goes where those over it agree best. They are
+*   <em>fitted again</em>, with the first ones in place of the pilot.
 * - A <em>gentle path</em>, many small steps with wide ranges, makes a second result that spares small detail, and a <em>linear
 *   path</em>, Taubin's smoothing \cgalCite{cgal:t-spafs-95}, a third one that needs no normals, for where triangles are smaller than the
 *   noise. Stein's unbiased risk estimate tells, from the noisy mesh alone, how much of what a path took away was shape, and which
@@ -177,6 +179,12 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *   \cgalParamNBegin{use_adaptive_degree}
 *     \cgalParamDescription{Adaptive method: whether a patch is a plane where that fits as well as a quadratic surface. If not, all are
 *                           quadratic surfaces where the points determine one.}
+*     \cgalParamType{Boolean}
+*     \cgalParamDefault{`true`}
+*   \cgalParamNEnd
+*   \cgalParamNBegin{refit_patches}
+*     \cgalParamDescription{Adaptive method: whether patches are fitted a second time, to the same points, with the first ones in place of the
+*                           pilot.}
 *     \cgalParamType{Boolean}
 *     \cgalParamDefault{`true`}
 *   \cgalParamNEnd

@@ -41,8 +41,8 @@ namespace Surface_mesh_denoising {
 namespace internal {
 
 // Anisotropic surface fitting that chooses for itself: noise level -> pilot -> tangential noise -> patches, where there are
-// impulses again from the pilot on, and beside the patches a gentle and a linear path -> mixing -> reassignment of faces
-// -> moves of agreement -> unfolding -> volume. Each stage knows only what the ones before it hand on.
+// impulses again from the pilot on -> patches anew, and beside them a gentle and a linear path -> mixing -> reassignment
+// of faces -> moves of agreement -> unfolding -> volume. Each stage knows only what the ones before it hand on.
 template <typename ConcurrencyTag>
 class Adaptive_fitting
 {
@@ -96,7 +96,8 @@ public:
       if(m_parameters.remove_tangential_noise)
         remove_tangential_noise(mesh, is_movable, neighbors, observed, original);
       pilot = mesh.points();
-      fit_patches(mesh, observed, is_movable);
+      fit_patches(mesh, observed, is_movable, m_parameters.pilot_error,
+                  m_parameters.refit_patches ? m_parameters.first_patches_effort : m_parameters.last_patches_effort);
       // with a noise level of the user's there is nothing to correct
       if(round == m_parameters.impulse_number_of_rounds || m_noise_level >= 0 || !m_parameters.remove_impulses
          || !remove_impulses(mesh, is_movable, round == 0, observed, original))
@@ -104,6 +105,9 @@ public:
       std::vector<Point_3> points = observed;
       mesh.swap_points(points);
     }
+
+    if(m_parameters.refit_patches)
+      fit_patches(mesh, observed, is_movable, m_parameters.first_patches_error, m_parameters.last_patches_effort);
 
     m_patch_shares.assign(mesh.number_of_faces(), 1);
     if(m_parameters.use_gentle_path || m_parameters.use_linear_path)
@@ -276,12 +280,14 @@ private:
     return disturbances;
   }
 
-  void fit_patches(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed,
-                   const std::vector<bool>& is_movable)
+  // `mesh` holds the pilot, and then the result. The first patches are a better pilot than the one that they grow over
+  void fit_patches(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed, const std::vector<bool>& is_movable,
+                   const Pilot_error& pilot_error, const Patch_effort& effort)
   {
     std::vector<Point_3> points;
     {
-      const Patch_blend<ConcurrencyTag> blend(mesh, observed, is_movable, m_noise, m_mean_edge_length, m_parameters);
+      const Patch_blend<ConcurrencyTag> blend(mesh, observed, is_movable, m_noise, m_mean_edge_length, m_parameters,
+                                              pilot_error, effort);
       m_face_normals = blend.face_normals();
       points = blend.points();
       m_noise_shares = blend.leverages();

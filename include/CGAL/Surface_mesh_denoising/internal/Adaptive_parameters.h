@@ -17,6 +17,20 @@ namespace CGAL {
 namespace Surface_mesh_denoising {
 namespace internal {
 
+// What is known of the points that patches grow over
+struct Pilot_error
+{
+  double noise;       // what is left of the noise in them, times noise
+  double correlation; // about so many neighbors share it
+};
+
+// How much work patches are worth
+struct Patch_effort
+{
+  double hopeless_risk; // a patch stops growing when its risk is so many times the least
+  double core_share;    // the share of the faces of a patch that need none of their own
+};
+
 // All constants of adaptive fitting. Lengths are in mean edge lengths; `noise` stands for the noise level in mean edge
 // lengths. None of them belongs to a model: they hold for all meshes.
 struct Adaptive_parameters
@@ -24,6 +38,7 @@ struct Adaptive_parameters
   // what can be switched off
   bool use_adaptive_neighborhoods = true;
   bool use_adaptive_degree = true;
+  bool refit_patches = true;
   bool use_gentle_path = true;
   bool use_linear_path = true;
   bool remove_tangential_noise = true;
@@ -45,7 +60,7 @@ struct Adaptive_parameters
 
   // The pilot. The normal of a face is off by about twice the noise: the range of the filter starts above that and shrinks to
   // what noise leaves in the end, so that first the noise goes and then the edges come out, obtuse ones last.
-  std::size_t pilot_number_of_steps = 14;       // and more where
+  std::size_t pilot_number_of_steps = 10;       // and more where
   double pilot_strong_noise = 0.47;             // noise is more than this,
   double pilot_steps_by_strong_noise = 200;     // so many for each edge length more
   std::size_t pilot_steps_between_weights = 3;  // areas and distances become weights once in so many steps
@@ -97,10 +112,10 @@ struct Adaptive_parameters
   std::size_t least_number_of_points = 8;
   double patch_extent = 14;                     // a length of about the radius of a patch, in distances of centroids
   double degree_threshold = 11;                 // a quadric takes this gain in squared residuals, in noise^2
-  double pilot_noise = 0.3;                     // what is left of the noise in the pilot's points, times noise
-  double pilot_correlation = 6;                 // about so many neighbors share it
-  double hopeless_risk = 2;                     // a patch stops growing when its risk is so many times the least
-  double core_share = 0.25;                     // the share of the faces of a patch that need none of their own
+  Pilot_error pilot_error = { 0.3, 6 };
+  Pilot_error first_patches_error = { 0.15, 15 }; // where they are the pilot of the second ones
+  Patch_effort first_patches_effort = { 1.5, 0.7 };
+  Patch_effort last_patches_effort = { 2, 0.25 };
   std::size_t number_of_rounds = 8;             // in which seeds are chosen,
   std::size_t rings_around_first_seeds = 3;     // without another seed in so many rings, one less from round to round
   double tangential_weight = 0.01;              // holds a vertex in the directions that its patches leave free

@@ -52,8 +52,9 @@ public:
   // `mesh` holds the pilot's points, `noise` is in the unit of the coordinates. Keeps references
   Patch_blend(const Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed,
               const std::vector<bool>& is_movable, const double noise, const double mean_edge_length,
-              const Adaptive_parameters& parameters)
+              const Adaptive_parameters& parameters, const Pilot_error& pilot_error, const Patch_effort& effort)
     : m_mesh(mesh), m_observed(observed), m_is_movable(is_movable), m_parameters(parameters),
+      m_pilot_error(pilot_error), m_effort(effort),
       m_geometry(mesh, ConcurrencyTag()), m_mean_edge_length(mean_edge_length),
       m_extent(parameters.patch_extent * m_geometry.mean_centroid_distance()),
       m_squared_noise((std::max)(noise * noise, 1e-16 * mean_edge_length * mean_edge_length)),
@@ -179,7 +180,7 @@ private:
   {
   public:
     Worker(const Patch_blend& blend, const Indexed_dual_graph& dual)
-      : m_blend(blend), m_search(dual), m_fit(blend.m_parameters, blend.m_squared_noise)
+      : m_blend(blend), m_search(dual), m_fit(blend.m_parameters, blend.m_pilot_error, blend.m_effort.hopeless_risk, blend.m_squared_noise)
     {}
 
     void operator()(const Index seed, Patch& patch)
@@ -356,7 +357,7 @@ private:
         const std::vector<Face_term>& faces = patches[i].faces; // the nearest first
         for(const Face_term& t : faces)
           m_normal_sums[t.face] += t.weighted_normal;
-        for(std::size_t k=0; double(k) < m_parameters.core_share * double(faces.size()); ++k)
+        for(std::size_t k=0; double(k) < m_effort.core_share * double(faces.size()); ++k)
           m_is_in_core[faces[k].face] = true;
         for(const Vertex_term& t : patches[i].vertices)
           m_vertex_sums[t.vertex].add(t);
@@ -372,6 +373,8 @@ private:
   const std::vector<Point_3>& m_observed;
   const std::vector<bool>& m_is_movable;
   const Adaptive_parameters& m_parameters;
+  Pilot_error m_pilot_error;
+  Patch_effort m_effort;
   Face_geometry m_geometry;
   double m_mean_edge_length;
   double m_extent;

@@ -99,8 +99,10 @@ class Patch_fit
   typedef Eigen::Matrix<double, 6, 6>       Matrix;
 
 public:
-  Patch_fit(const Adaptive_parameters& parameters, const double squared_noise)
-    : m_parameters(parameters), m_squared_noise(squared_noise)
+  Patch_fit(const Adaptive_parameters& parameters, const Pilot_error& pilot_error, const double hopeless_risk,
+            const double squared_noise)
+    : m_parameters(parameters), m_pilot_error(pilot_error), m_hopeless_risk(hopeless_risk),
+      m_squared_noise(squared_noise)
   {}
 
   void clear()
@@ -163,15 +165,15 @@ public:
 
     // The misfit to the pilot, less what the noise that the pilot holds would explain with some certainty, is bias
     const double n = double(m_number_of_points);
-    const double pilot_variance = m_parameters.pilot_noise * m_parameters.pilot_noise * m_squared_noise;
+    const double pilot_variance = m_pilot_error.noise * m_pilot_error.noise * m_squared_noise;
     const double misfit = m_squared_pilot_heights - 2 * c.dot(m_pilot_rhs)
                         + c.dot(m_matrix.selfadjointView<Eigen::Lower>() * c);
     const double explained
-      = pilot_variance * (n - std::sqrt(2 * m_parameters.pilot_correlation * n));
+      = pilot_variance * (n - std::sqrt(2 * m_pilot_error.correlation * n));
     const double squared_bias = (std::max)(0., misfit - explained) / n;
     const double risk = squared_bias + (is_plane ? 3 : 6) * m_squared_noise / n;
     if(!(risk < m_best.risk))
-      return risk <= m_parameters.hopeless_risk * m_best.risk;
+      return risk <= m_hopeless_risk * m_best.risk;
 
     m_best.coefficients = c;
     m_best.risk = risk;
@@ -196,6 +198,8 @@ public:
 
 private:
   const Adaptive_parameters& m_parameters;
+  Pilot_error m_pilot_error;
+  double m_hopeless_risk;
   double m_squared_noise;
 
   Matrix m_matrix; // the lower triangle
