@@ -125,7 +125,8 @@ class Figures:
         distances = ('organic_shape', 'uneven')
         ablation = []
         for stage in ('none', 'use_adaptive_neighborhoods', 'use_adaptive_degree', 'refit_patches', 'use_gentle_path',
-                      'use_linear_path', 'remove_tangential_noise', 'remove_impulses', 'reassign_faces', 'unfold_faces', 'preserve_volume'):
+                      'use_linear_path', 'remove_tangential_noise', 'remove_impulses', 'reassign_faces', 'unfold_faces',
+                      'preserve_volume'):
             errors = {model: self.errors[f'ablation_{model}_{stage}'] for model in models}
             ablation.append(['all stages' if stage == 'none' else f'without `{stage}`'] +
                             [f'{e[0]:.2f}' for e in errors.values()] + [f'{errors[m][1]:.3f}' for m in distances] +
