@@ -79,6 +79,7 @@ int main(int argc, char* argv[])
                                                           .use_linear_path(true)
                                                           .remove_tangential_noise(true)
                                                           .remove_impulses(true)
+                                                          .refine_noise_level(true)
                                                           .reassign_faces(true)
                                                           .unfold_faces(true)
                                                           .preserve_volume(true));

@@ -333,6 +333,60 @@ TEST(Adaptive_fitting, Impulses_go)
   EXPECT_EQ(points_of(denoised(other)), points_of(denoised(other, params::remove_impulses(false))));
 }
 
+// with triangles so large beside the shape that quadrics of two rings hardly find a smooth place
+TEST(Adaptive_fitting, Weak_noise_is_told_from_edges)
+{
+  double sum_of_ratios = 0;
+  for(const Model_generator model : {models::cad_part, models::cut_sphere})
+    for(const std::size_t size : {500, 1000, 1500})
+      for(const double level : {0.05, 0.1})
+      {
+        const Mesh truth = irregular_mesh(model, size), noisy = with_noise(truth, level);
+        const double ratio = error(denoised(noisy), truth) / error(denoised(noisy, params::refine_noise_level(false)), truth);
+        EXPECT_LT(ratio, 1.1);
+        sum_of_ratios += ratio;
+        EXPECT_EQ(points_of(denoised(noisy, params::noise_level(level))),
+                  points_of(denoised(noisy, params::noise_level(level).refine_noise_level(false))));
+      }
+  EXPECT_LT(sum_of_ratios, 12 * 0.9);
+}
+
+TEST(Adaptive_fitting, Large_residuals_that_lie_together_are_no_impulses)
+{
+  for(const std::size_t size : {300, 3000})
+  {
+    const Mesh mesh = irregular_mesh(models::sphere, size);
+    const std::size_t n = mesh.number_of_vertices();
+    const SMD::internal::Vertex_neighbors neighbors(indexed_mesh(mesh));
+    const std::vector<bool> counts(n, true);
+    const auto are_of_shape = [&](const std::vector<double>& residuals)
+    { return SMD::internal::are_of_shape<CGAL::Sequential_tag>(neighbors, residuals, counts, 4.); };
+
+    for(unsigned int seed=0; seed<20; ++seed)
+    {
+      std::mt19937 generator(seed);
+      std::normal_distribution<double> normal;
+      std::uniform_real_distribution<double> uniform(0, 1);
+      std::vector<double> along_normals(n), in_all_directions(n), with_impulses(n), at_edges(n);
+      for(const Vertex v : mesh.vertices())
+      {
+        const double r = normal(generator);
+        along_normals[v] = r;
+        in_all_directions[v] = (2 * uniform(generator) - 1) * r;
+        with_impulses[v] = (uniform(generator) < 0.05) ? 20 * r : r;
+        at_edges[v] = (std::abs(mesh.point(v).z()) < 0.15) ? 4 * r : r;
+      }
+      EXPECT_FALSE(are_of_shape(along_normals));
+      EXPECT_FALSE(are_of_shape(in_all_directions));
+      EXPECT_FALSE(are_of_shape(with_impulses));
+      if(size > 1000) // with few vertices it may be chance
+      {
+        EXPECT_TRUE(are_of_shape(at_edges));
+      }
+    }
+  }
+}
+
 // edges of 150 degrees between sides a few triangles wide: with a noise level that is too high they merge
 TEST(Adaptive_fitting, Impulses_leave_obtuse_edges_of_coarse_meshes)
 {

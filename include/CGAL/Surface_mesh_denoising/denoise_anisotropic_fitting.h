@@ -85,6 +85,7 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
   adaptive.remove_tangential_noise
     = choose_parameter(get_parameter(np, internal_np::remove_tangential_noise), true);
   adaptive.remove_impulses = choose_parameter(get_parameter(np, internal_np::remove_impulses), true);
+  adaptive.refine_noise_level = choose_parameter(get_parameter(np, internal_np::refine_noise_level), true);
   adaptive.reassign_faces = choose_parameter(get_parameter(np, internal_np::reassign_faces), true);
   adaptive.unfold_faces = choose_parameter(get_parameter(np, internal_np::unfold_faces), true);
   adaptive.preserve_volume = choose_parameter(get_parameter(np, internal_np::preserve_volume), true);
@@ -125,7 +126,8 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *   are fitted, to where triangles are even; and faces that face against the faces around them are <em>unfolded</em> in the end. The
 *   few that a mesh has turned by itself stay.
 * - <em>Impulses</em> are told by tails of the distances between the given points and the patches that are too heavy for the most of
-*   them. They are cut off, and pilot and patches made anew.
+*   them. They are cut off, and pilot and patches made anew. That happens, too, where the <em>noise level</em> that these distances
+*   tell is much lower than the first estimate, which takes edges and small detail for noise.
 * - The surface is offset until it encloses the <em>volume</em> that it did before, which noise leaves as it is, on average.
 * A mesh without noise comes back as it is.
 *
@@ -168,7 +170,7 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *     \cgalParamDescription{Adaptive method: the standard deviation of the noise along the normals, in mean edge lengths of the surface
 *                           without the noise. A larger one than is true smooths more.}
 *     \cgalParamType{double}
-*     \cgalParamDefault{`estimate_noise_level(tmesh)`, corrected for impulses}
+*     \cgalParamDefault{`estimate_noise_level(tmesh)`, corrected for impulses and for detail of the shape}
 *     \cgalParamExtra{The range is all numbers of at least zero.}
 *   \cgalParamNEnd
 *   \cgalParamNBegin{use_adaptive_neighborhoods}
@@ -212,6 +214,13 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *     \cgalParamType{Boolean}
 *     \cgalParamDefault{`true`}
 *     \cgalParamExtra{It has no effect if `noise_level` is given. Where there are impulses, it takes about as much time as all the rest.}
+*   \cgalParamNEnd
+*   \cgalParamNBegin{refine_noise_level}
+*     \cgalParamDescription{Adaptive method: whether a noise level is lowered that comes out more than 15 percent too high, beside the
+*                           distances between the given points and the patches.}
+*     \cgalParamType{Boolean}
+*     \cgalParamDefault{`true`}
+*     \cgalParamExtra{It has no effect if `noise_level` is given. It matters where noise is weak and the surface full of edges or detail.}
 *   \cgalParamNEnd
 *   \cgalParamNBegin{reassign_faces}
 *     \cgalParamDescription{Adaptive method: whether faces at edges change sides where that explains the given points better.}

@@ -34,15 +34,17 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_denoising {
 namespace internal {
 
-// Anisotropic surface fitting that chooses for itself: noise level -> pilot -> tangential noise -> patches, where there are
-// impulses again from the pilot on -> patches anew, and beside them a gentle and a linear path -> mixing -> reassignment
-// of faces -> moves of agreement -> unfolding -> volume. Each stage knows only what the ones before it hand on.
+// Anisotropic surface fitting that chooses for itself: noise level -> pilot -> tangential noise -> patches, again from the
+// pilot on where they show other noise than was thought -> patches anew, and beside them a gentle and a linear path ->
+// mixing -> reassignment of faces -> moves of agreement -> unfolding -> volume. Each stage knows only what the ones before it
+// hand on.
 template <typename ConcurrencyTag>
 class Adaptive_fitting
 {
@@ -99,8 +101,8 @@ public:
       fit_patches(mesh, observed, is_movable, m_parameters.pilot_error,
                   m_parameters.refit_patches ? m_parameters.first_patches_effort : m_parameters.last_patches_effort);
       // with a noise level of the user's there is nothing to correct
-      if(round == m_parameters.impulse_number_of_rounds || m_noise_level >= 0 || !m_parameters.remove_impulses
-         || !remove_impulses(mesh, is_movable, round == 0, observed, original))
+      if(round == m_parameters.correction_number_of_rounds || m_noise_level >= 0
+         || !correct_noise(mesh, is_movable, neighbors, observed, original))
         break;
       std::vector<Point_3> points = observed;
       mesh.swap_points(points);
@@ -214,12 +216,9 @@ private:
     });
   }
 
-  // Impulses leave the median of the residuals, on which the noise level rests, as it is: tails that are too heavy for it tell
-  // them. Then the observed points lose what their residuals have too much, and the noise level is raised so that a pilot
-  // leaves nothing of what remains; later rounds see how much that is, and lower it, or need not. `original` keeps what was
-  // observed. Returns whether there is more to do
-  bool remove_impulses(const Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable, const bool is_first_round,
-                       std::vector<Point_3>& observed, std::vector<Point_3>& original)
+  // What the patches tell of the noise. Returns whether that is something else than was thought, so that they are to be made anew
+  bool correct_noise(const Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable,
+                     const Vertex_neighbors& neighbors, std::vector<Point_3>& observed, std::vector<Point_3>& original)
   {
     std::vector<Vector_3> normals;
     compute_vertex_normals<ConcurrencyTag>(mesh, normals);
@@ -227,6 +226,38 @@ private:
     for_each_index<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
     { residuals[v] = (observed[v] - mesh.point(v)) * normals[v]; });
 
+    if(m_parameters.remove_impulses
+       && remove_impulses(is_movable, neighbors, normals, residuals, observed, original))
+      return true;
+    return m_parameters.refine_noise_level && !m_has_impulses
+           && refine_noise_level(is_movable, neighbors, std::move(residuals));
+  }
+
+  // The noise level rests on quadrics of two rings, which know no edges and hide detail of the shape in the noise. Patches tell
+  // them apart. Returns whether the level has become much lower
+  bool refine_noise_level(const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
+                          std::vector<double> residuals)
+  {
+    for_each_index<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
+    { residuals[v] /= std::sqrt((std::max)(1 - m_leverages[v], m_parameters.least_rest_of_noise)); });
+    subtract_mean_of_neighbors<ConcurrencyTag>(neighbors, residuals);
+    const double variance_of_differences = 1 + 1. / 6; // with six neighbors, as there are in the mean
+    const double level = m_parameters.refined_level_factor * median_of_absolutes(residuals, is_movable)
+                       / (median_of_normal_distribution * std::sqrt(variance_of_differences));
+    if(!(level < m_parameters.refined_level_limit * m_noise))
+      return false;
+    m_noise = (std::max)(level, m_parameters.least_refined_level * m_noise);
+    return true;
+  }
+
+  // Impulses leave the median of the residuals, on which the noise level rests, as it is: tails that are too heavy for it tell
+  // them, unless the shape makes them. Then the observed points lose what their residuals have too much, and the noise level is
+  // raised so that a pilot leaves nothing of what remains; later rounds see how much that is, and lower it, or need not.
+  // `original` keeps what was observed. Returns whether there is more to do
+  bool remove_impulses(const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
+                       const std::vector<Vector_3>& normals, const std::vector<double>& residuals,
+                       std::vector<Point_3>& observed, std::vector<Point_3>& original)
+  {
     const double median_deviation = median_of_absolutes(residuals, is_movable) / median_of_normal_distribution;
     const double number = double(std::count(is_movable.begin(), is_movable.end(), true));
     const auto root_mean_square = [&](const double limit)
@@ -240,11 +271,14 @@ private:
     if(!(median_deviation > 0))
       return false;
     const double limit = m_parameters.largest_residual * median_deviation;
-    if(is_first_round)
+    if(!m_has_impulses)
     {
       const double ratio = root_mean_square(m_parameters.largest_tail * median_deviation) / median_deviation;
-      if(!(ratio >= m_parameters.heavy_tail))
+      if(!(ratio >= m_parameters.heavy_tail)
+         || (relative_noise() < m_parameters.shape_tail_noise
+             && are_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable, limit)))
         return false;
+      m_has_impulses = true;
       m_noise = (std::min)(ratio * m_noise, m_parameters.maximal_correction
                                             * root_mean_square((std::numeric_limits<double>::max)()));
     }
@@ -290,13 +324,14 @@ private:
                                               pilot_error, effort);
       m_face_normals = blend.face_normals();
       points = blend.points();
-      m_noise_shares = blend.leverages();
+      m_leverages = blend.leverages();
     }
-    for(double& share : m_noise_shares)
+    m_noise_shares.resize(m_leverages.size());
+    for_each_index<ConcurrencyTag>(m_noise_shares.size(), [&](const std::size_t v)
     {
-      const double by_adaptation = (std::max)(0., share - m_parameters.unadapted_leverage);
-      share = (share + m_parameters.adaptation_factor * by_adaptation) * m_noise * m_noise;
-    }
+      const double by_adaptation = (std::max)(0., m_leverages[v] - m_parameters.unadapted_leverage);
+      m_noise_shares[v] = (m_leverages[v] + m_parameters.adaptation_factor * by_adaptation) * m_noise * m_noise;
+    });
     mesh.swap_points(points);
     Normal_evolution<ConcurrencyTag>::move_to_agree(mesh, is_movable, m_face_normals, m_parameters.patch_number_of_moves);
   }
@@ -386,9 +421,11 @@ private:
   double m_mean_edge_length;
   double m_noise; // in the unit of the coordinates
   std::vector<Vector_3> m_face_normals;
+  std::vector<double> m_leverages;    // of the patches
   std::vector<double> m_noise_shares; // of the result so far, see mixing.h
   std::vector<float> m_patch_shares;  // what each face has of the patches, in the result so far
   bool m_noise_turns_faces = false;
+  bool m_has_impulses = false;
   std::vector<Vector_3> m_vertex_normals;
 };
 

@@ -43,6 +43,7 @@ struct Adaptive_parameters
   bool use_linear_path = true;
   bool remove_tangential_noise = true;
   bool remove_impulses = true;
+  bool refine_noise_level = true;
   bool reassign_faces = true;
   bool unfold_faces = true;
   bool preserve_volume = true;
@@ -50,13 +51,22 @@ struct Adaptive_parameters
   // Below this the mesh counts as free of noise.
   double negligible_noise = 1e-4;
 
+  // What the patches tell of the noise may send back to the pilot.
+  std::size_t correction_number_of_rounds = 2;
+
   // Impulses: the root mean square of the residuals is more than so many times what their median tells of a normal
   // distribution. The noise then counts for as much more, but for no more than so many times its root mean square.
   double heavy_tail = 1.08;
+  double shape_tail_noise = 0.2;                // below this, tails may be those of the shape
   double largest_tail = 10;                     // standard deviations, as the median tells them: beyond, residuals are cut,
   double largest_residual = 4;                  // and the observed points here
-  std::size_t impulse_number_of_rounds = 2;
   double maximal_correction = 1.5;              // and in later rounds for just so many times that of what remains
+
+  // The refined noise level. One that is a little too high costs less than one that is too low.
+  double refined_level_factor = 1.1;            // times what the residuals tell,
+  double refined_level_limit = 0.85;            // counts if it is less than so many times the level before,
+  double least_refined_level = 0.5;             // but for no less than so many times that
+  double least_rest_of_noise = 0.1;             // the share of the noise in the residual of a vertex
 
   // The pilot. The normal of a face is off by about twice the noise: the range of the filter starts above that and shrinks to
   // what noise leaves in the end, so that first the noise goes and then the edges come out, obtuse ones last.

@@ -191,6 +191,29 @@ double share_of_impulses(const Vertex_neighbors& neighbors, const std::vector<do
   return (whole > 0) ? number / whole : 0;
 }
 
+// Whether the shape makes the large residuals, those up to about `limit` and beyond: then they lie together, while those of noise
+// have nothing to do with their neighbors, or stand alone
+template <typename ConcurrencyTag>
+bool are_of_shape(const Vertex_neighbors& neighbors, const std::vector<double>& residuals, const std::vector<bool>& counts,
+                  const double limit)
+{
+  const double largest_correlation = 0.04, largest_share_of_impulses = 0.01;
+
+  const auto size = [&](const std::size_t v) { return (std::min)(std::abs(residuals[v]), limit); };
+  const double number = double(std::count(counts.begin(), counts.end(), true));
+  const double mean = sum<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
+  { return counts[v] ? size(v) : 0.; }) / number;
+  std::vector<double> sizes(residuals.size(), std::numeric_limits<double>::quiet_NaN());
+  for_each_index<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
+  {
+    if(counts[v])
+      sizes[v] = size(v) - mean;
+  });
+  return correlation_of_neighbors<ConcurrencyTag>(neighbors, std::move(sizes), counts)
+           > largest_correlation + 2 / std::sqrt(number) // the less there is to go by, the more chance explains
+      && share_of_impulses<ConcurrencyTag>(neighbors, residuals, counts) < largest_share_of_impulses;
+}
+
 // Detail of the shape, in a mesh without noise, makes residuals that are not uniform, and no impulses. Either they are small, or
 // neighbors have them in common even in quiet places, where white noise gives them opposite signs. `level` is the estimate,
 // in mean edge lengths
