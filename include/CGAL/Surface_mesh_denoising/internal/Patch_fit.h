@@ -110,7 +110,7 @@ public:
     m_matrix.setZero();
     m_rhs.setZero();
     m_pilot_rhs.setZero();
-    m_squared_heights = m_squared_pilot_heights = 0;
+    m_squared_pilot_heights = 0;
     m_number_of_points = 0;
     m_best = Patch_surface();
   }
@@ -123,7 +123,6 @@ public:
     m_matrix.selfadjointView<Eigen::Lower>().rankUpdate(m);
     m_rhs += height * m;
     m_pilot_rhs += pilot_height * m;
-    m_squared_heights += height * height;
     m_squared_pilot_heights += pilot_height * pilot_height;
     ++m_number_of_points;
   }
@@ -204,7 +203,7 @@ private:
 
   Matrix m_matrix; // the lower triangle
   Vector m_rhs, m_pilot_rhs;
-  double m_squared_heights, m_squared_pilot_heights;
+  double m_squared_pilot_heights;
   std::size_t m_number_of_points;
   Patch_surface m_best;
 };
