@@ -194,7 +194,7 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *     \cgalParamDescription{Adaptive method: whether the result of the patches is mixed with that of the gentle path.}
 *     \cgalParamType{Boolean}
 *     \cgalParamDefault{`true`}
-*     \cgalParamExtra{Without it, the run takes about half the time, and organic shapes lose detail.}
+*     \cgalParamExtra{Without it, the run takes about two thirds of the time, and organic shapes lose detail.}
 *   \cgalParamNEnd
 *   \cgalParamNBegin{use_linear_path}
 *     \cgalParamDescription{Adaptive method: whether the result so far is mixed with that of the linear path.}
@@ -213,14 +213,15 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *                           points, and the noise level is corrected accordingly.}
 *     \cgalParamType{Boolean}
 *     \cgalParamDefault{`true`}
-*     \cgalParamExtra{It has no effect if `noise_level` is given. Where there are impulses, it takes about as much time as all the rest.}
+*     \cgalParamExtra{It has no effect if `noise_level` is given. Where there are impulses, the run takes about a third longer.}
 *   \cgalParamNEnd
 *   \cgalParamNBegin{refine_noise_level}
 *     \cgalParamDescription{Adaptive method: whether a noise level is lowered that comes out more than 15 percent too high, beside the
 *                           distances between the given points and the patches.}
 *     \cgalParamType{Boolean}
 *     \cgalParamDefault{`true`}
-*     \cgalParamExtra{It has no effect if `noise_level` is given. It matters where noise is weak and the surface full of edges or detail.}
+*     \cgalParamExtra{It has no effect if `noise_level` is given. It matters where noise is weak and the surface full of edges or detail;
+*                     there, the run takes about a fifth longer.}
 *   \cgalParamNEnd
 *   \cgalParamNBegin{reassign_faces}
 *     \cgalParamDescription{Adaptive method: whether faces at edges change sides where that explains the given points better.}
