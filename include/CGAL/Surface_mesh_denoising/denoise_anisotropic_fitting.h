@@ -216,8 +216,8 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *     \cgalParamExtra{It has no effect if `noise_level` is given. Where there are impulses, the run takes about a third longer.}
 *   \cgalParamNEnd
 *   \cgalParamNBegin{refine_noise_level}
-*     \cgalParamDescription{Adaptive method: whether a noise level is lowered that comes out more than 15 percent too high, beside the
-*                           distances between the given points and the patches.}
+*     \cgalParamDescription{Adaptive method: whether a noise level is lowered that is about 30 percent higher, or more, than the
+*                           distances between the given points and the patches tell.}
 *     \cgalParamType{Boolean}
 *     \cgalParamDefault{`true`}
 *     \cgalParamExtra{It has no effect if `noise_level` is given. It matters where noise is weak and the surface full of edges or detail;

@@ -191,8 +191,8 @@ double share_of_impulses(const Vertex_neighbors& neighbors, const std::vector<do
   return (whole > 0) ? number / whole : 0;
 }
 
-// Whether the shape makes the large residuals, those up to about `limit` and beyond: then they lie together, while those of noise
-// have nothing to do with their neighbors, or stand alone
+// Whether the shape makes the large residuals: then they lie together, while those of noise have nothing to do with their
+// neighbors, or stand alone. Beyond `limit` it does not count how large they are
 template <typename ConcurrencyTag>
 bool are_of_shape(const Vertex_neighbors& neighbors, const std::vector<double>& residuals, const std::vector<bool>& counts,
                   const double limit)
