@@ -283,6 +283,21 @@ TEST(Adaptive_fitting, Meshes_without_noise_come_back)
   EXPECT_EQ(points_of(denoised(cube)), points_of(cube));
 }
 
+// where even patches find detail that is smaller than they are, until the level is low enough
+TEST(Adaptive_fitting, Coarse_meshes_without_noise_come_back)
+{
+  for(const models::Generator& g : models::all())
+    for(unsigned int seed=0; seed<3; ++seed)
+    {
+      models::Options options;
+      options.number_of_vertices = 500;
+      options.triangles = models::Triangles::IRREGULAR;
+      options.seed = seed;
+      const Mesh mesh = models::to_mesh<Mesh>(g.generate(options));
+      EXPECT_LT(error(denoised(mesh), mesh), 0.5) << g.name << " with seed " << seed;
+    }
+}
+
 TEST(Adaptive_fitting, Is_better_than_the_iterative_method)
 {
   for(const Model_generator model : {models::cube, models::sphere, models::cad_part, models::organic_shape})
@@ -361,13 +376,15 @@ TEST(Adaptive_fitting, Large_residuals_that_lie_together_are_no_impulses)
     const std::vector<bool> counts(n, true);
     const auto are_of_shape = [&](const std::vector<double>& residuals)
     { return SMD::internal::are_of_shape<CGAL::Sequential_tag>(neighbors, residuals, counts, 4.); };
+    const auto are_mostly_of_shape = [&](const std::vector<double>& residuals)
+    { return SMD::internal::are_mostly_of_shape<CGAL::Sequential_tag>(neighbors, residuals, counts); };
 
     for(unsigned int seed=0; seed<20; ++seed)
     {
       std::mt19937 generator(seed);
       std::normal_distribution<double> normal;
       std::uniform_real_distribution<double> uniform(0, 1);
-      std::vector<double> along_normals(n), in_all_directions(n), with_impulses(n), at_edges(n);
+      std::vector<double> along_normals(n), in_all_directions(n), with_impulses(n), at_edges(n), of_one_half(n);
       for(const Vertex v : mesh.vertices())
       {
         const double r = normal(generator);
@@ -375,13 +392,18 @@ TEST(Adaptive_fitting, Large_residuals_that_lie_together_are_no_impulses)
         in_all_directions[v] = (2 * uniform(generator) - 1) * r;
         with_impulses[v] = (uniform(generator) < 0.05) ? 20 * r : r;
         at_edges[v] = (std::abs(mesh.point(v).z()) < 0.15) ? 4 * r : r;
+        of_one_half[v] = (mesh.point(v).z() < 0) ? r : r / 20;
       }
       EXPECT_FALSE(are_of_shape(along_normals));
       EXPECT_FALSE(are_of_shape(in_all_directions));
       EXPECT_FALSE(are_of_shape(with_impulses));
+      EXPECT_FALSE(are_mostly_of_shape(along_normals));
+      EXPECT_FALSE(are_mostly_of_shape(in_all_directions));
+      EXPECT_TRUE(are_mostly_of_shape(of_one_half));
       if(size > 1000) // with few vertices it may be chance
       {
         EXPECT_TRUE(are_of_shape(at_edges));
+        EXPECT_FALSE(are_mostly_of_shape(at_edges)); // there is noise away from them
       }
     }
   }

@@ -127,7 +127,8 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *   few that a mesh has turned by itself stay.
 * - <em>Impulses</em> are told by tails of the distances between the given points and the patches that are too heavy for the most of
 *   them. They are cut off, and pilot and patches made anew. That happens, too, where the <em>noise level</em> that these distances
-*   tell is much lower than the first estimate, which takes edges and small detail for noise.
+*   tell is much lower than the first estimate, which takes edges and small detail for noise. While most of them are detail, since
+*   large ones lie together and others are small, the level is lowered further; if that does not end, there is no noise.
 * - The surface is offset until it encloses the <em>volume</em> that it did before, which noise leaves as it is, on average.
 * A mesh without noise comes back as it is.
 *
@@ -221,7 +222,7 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *     \cgalParamType{Boolean}
 *     \cgalParamDefault{`true`}
 *     \cgalParamExtra{It has no effect if `noise_level` is given. It matters where noise is weak and the surface full of edges or detail;
-*                     there, the run takes about a fifth longer.}
+*                     there, the run takes about a fifth longer, and up to a half longer on meshes full of detail.}
 *   \cgalParamNEnd
 *   \cgalParamNBegin{reassign_faces}
 *     \cgalParamDescription{Adaptive method: whether faces at edges change sides where that explains the given points better.}

@@ -80,17 +80,19 @@ public:
     const Vertex_neighbors neighbors(mesh);
     m_noise = (m_noise_level >= 0) ? in_noisy_edge_lengths(m_noise_level) * m_mean_edge_length
                                    : noise_level<ConcurrencyTag>(mesh, m_mean_edge_length, neighbors, is_movable);
-    if(!(m_noise > m_parameters.negligible_noise * m_mean_edge_length))
-    {
-      result.number_of_iterations = 1;
-      result.has_converged = true;
-      report(1, 0., true);
-      return result;
-    }
-
     std::vector<Point_3> observed = mesh.points();
     std::vector<Point_3> original; // if other than the observed points
-    std::vector<Point_3> pilot;
+    std::vector<Point_3> pilot = observed;
+    const auto end = [&]()
+    {
+      ++result.number_of_iterations;
+      result.has_converged = true;
+      report(result.number_of_iterations, largest_displacement(pilot, mesh.points()), true);
+      return result;
+    };
+    if(is_free_of_noise())
+      return end();
+
     for(std::size_t round=0; ; ++round)
     {
       if(!run_pilot(mesh, is_movable, report, result))
@@ -101,11 +103,15 @@ public:
       fit_patches(mesh, observed, is_movable, m_parameters.pilot_error,
                   m_parameters.refit_patches ? m_parameters.first_patches_effort : m_parameters.last_patches_effort);
       // with a noise level of the user's there is nothing to correct
-      if(round == m_parameters.correction_number_of_rounds || m_noise_level >= 0
-         || !correct_noise(mesh, is_movable, neighbors, observed, original))
+      if(m_noise_level >= 0 || !correct_noise(round, mesh, is_movable, neighbors, observed, original))
         break;
-      std::vector<Point_3> points = observed;
+      std::vector<Point_3> points = (is_free_of_noise() && !original.empty()) ? original : observed;
       mesh.swap_points(points);
+      if(is_free_of_noise())
+      {
+        m_face_normals.clear();
+        return end();
+      }
     }
 
     if(m_parameters.refit_patches)
@@ -134,14 +140,12 @@ public:
       keep_volume<ConcurrencyTag>(mesh, original.empty() ? observed : original, is_movable, m_noise,
                                   m_parameters.volume_number_of_rounds);
 
-    ++result.number_of_iterations;
-    result.has_converged = true;
-    report(result.number_of_iterations, largest_displacement(pilot, mesh.points()), true);
-    return result;
+    return end();
   }
 
 private:
   double relative_noise() const { return m_noise / m_mean_edge_length; }
+  bool is_free_of_noise() const { return !(m_noise > m_parameters.negligible_noise * m_mean_edge_length); }
 
   static double largest_displacement(const std::vector<Point_3>& from, const std::vector<Point_3>& to)
   {
@@ -217,9 +221,13 @@ private:
   }
 
   // What the patches tell of the noise. Returns whether that is something else than was thought, so that they are to be made anew
-  bool correct_noise(const Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable,
+  bool correct_noise(const std::size_t round, const Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable,
                      const Vertex_neighbors& neighbors, std::vector<Point_3>& observed, std::vector<Point_3>& original)
   {
+    if(round >= (m_residuals_are_shape ? m_parameters.shape_number_of_rounds : m_parameters.correction_number_of_rounds))
+      return false;
+    m_residuals_are_shape = false;
+
     std::vector<Vector_3> normals;
     compute_vertex_normals<ConcurrencyTag>(mesh, normals);
     std::vector<double> residuals(observed.size());
@@ -230,21 +238,36 @@ private:
        && remove_impulses(is_movable, neighbors, normals, residuals, observed, original))
       return true;
     return m_parameters.refine_noise_level && !m_has_impulses
-           && refine_noise_level(is_movable, neighbors, std::move(residuals));
+           && refine_noise_level(round, is_movable, neighbors, std::move(residuals));
   }
 
   // The noise level rests on quadrics of two rings, which know no edges and hide detail of the shape in the noise. Patches tell
-  // them apart. Returns whether the level has become much lower
-  bool refine_noise_level(const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
+  // them apart, unless most of what they leave is shape: then a lower level makes patches that follow it. Where no level is low
+  // enough there is no noise. Returns whether the level has become much lower
+  bool refine_noise_level(const std::size_t round, const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
                           std::vector<double> residuals)
   {
     for_each_index<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
     { residuals[v] /= std::sqrt((std::max)(1 - m_leverages[v], m_parameters.least_rest_of_noise)); });
+    m_residuals_are_shape = relative_noise() < m_parameters.shape_noise
+                         && are_mostly_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable);
+    if(m_residuals_are_shape && round + 1 == m_parameters.shape_number_of_rounds)
+    {
+      m_noise = 0;
+      return true;
+    }
+
     subtract_mean_of_neighbors<ConcurrencyTag>(neighbors, residuals);
     const double variance_of_differences = 1 + 1. / 6; // with six neighbors, as there are in the mean
     const double level = m_parameters.refined_level_factor * median_of_absolutes(residuals, is_movable)
                        / (median_of_normal_distribution * std::sqrt(variance_of_differences));
-    if(!(level < m_parameters.refined_level_limit * m_noise))
+    if(m_residuals_are_shape)
+    {
+      const std::array<double, 2>& limits = m_parameters.refined_level_of_shape;
+      m_noise = (std::min)((std::max)(level, limits[0] * m_noise), limits[1] * m_noise);
+      return true;
+    }
+    if(round >= m_parameters.correction_number_of_rounds || !(level < m_parameters.refined_level_limit * m_noise))
       return false;
     m_noise = (std::max)(level, m_parameters.least_refined_level * m_noise);
     return true;
@@ -275,7 +298,7 @@ private:
     {
       const double ratio = root_mean_square(m_parameters.largest_tail * median_deviation) / median_deviation;
       if(!(ratio >= m_parameters.heavy_tail)
-         || (relative_noise() < m_parameters.shape_tail_noise
+         || (relative_noise() < m_parameters.shape_noise
              && are_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable, limit)))
         return false;
       m_has_impulses = true;
@@ -326,14 +349,24 @@ private:
       points = blend.points();
       m_leverages = blend.leverages();
     }
+    mesh.swap_points(points);
+    Normal_evolution<ConcurrencyTag>::move_to_agree(mesh, is_movable, m_face_normals, m_parameters.patch_number_of_moves);
+  }
+
+  // of the patches that `mesh` holds
+  void compute_noise_shares(const Indexed_triangle_mesh& mesh, const Vertex_neighbors& neighbors)
+  {
     m_noise_shares.resize(m_leverages.size());
     for_each_index<ConcurrencyTag>(m_noise_shares.size(), [&](const std::size_t v)
     {
+      const double full_adaptation_noise
+        = neighbors(v).empty() ? 0 : m_parameters.full_adaptation_noise * mean_length_of_edges(mesh, neighbors, v);
+      const double share_of_adaptation = (m_noise < full_adaptation_noise)
+        ? (std::max)(m_parameters.least_adaptation, m_noise / full_adaptation_noise) : 1;
       const double by_adaptation = (std::max)(0., m_leverages[v] - m_parameters.unadapted_leverage);
-      m_noise_shares[v] = (m_leverages[v] + m_parameters.adaptation_factor * by_adaptation) * m_noise * m_noise;
+      m_noise_shares[v] = (m_leverages[v] + m_parameters.adaptation_factor * share_of_adaptation * by_adaptation)
+                        * m_noise * m_noise;
     });
-    mesh.swap_points(points);
-    Normal_evolution<ConcurrencyTag>::move_to_agree(mesh, is_movable, m_face_normals, m_parameters.patch_number_of_moves);
   }
 
   // Patches are best where the surface is made of smooth pieces, the gentle path where it is full of detail, and the linear
@@ -344,6 +377,7 @@ private:
     std::vector<Vector_3> normals;
     compute_vertex_normals<ConcurrencyTag>(mesh, normals);
     const std::vector<double> disturbances = make_disturbances(mesh, observed, is_movable);
+    compute_noise_shares(mesh, neighbors);
     const auto mix_with_path = [&](const auto& make_path, const auto& global_band_ends, const auto& local_band_ends)
     {
       Estimate estimate;
@@ -426,6 +460,7 @@ private:
   std::vector<float> m_patch_shares;  // what each face has of the patches, in the result so far
   bool m_noise_turns_faces = false;
   bool m_has_impulses = false;
+  bool m_residuals_are_shape = false; // most of what the last patches left
   std::vector<Vector_3> m_vertex_normals;
 };
 

@@ -51,13 +51,14 @@ struct Adaptive_parameters
   // Below this the mesh counts as free of noise.
   double negligible_noise = 1e-4;
 
-  // What the patches tell of the noise may send back to the pilot.
+  // What the patches tell of the noise may send back to the pilot,
   std::size_t correction_number_of_rounds = 2;
+  std::size_t shape_number_of_rounds = 5;       // so often while most of what they leave is shape; then there is no noise.
+  double shape_noise = 0.2;                     // Below this, what they leave may be shape
 
   // Impulses: the root mean square of the residuals is more than so many times what their median tells of a normal
   // distribution. The noise then counts for as much more, but for no more than so many times its root mean square.
   double heavy_tail = 1.08;
-  double shape_tail_noise = 0.2;                // below this, tails may be those of the shape
   double largest_tail = 10;                     // standard deviations, as the median tells them: beyond, residuals are cut,
   double largest_residual = 4;                  // and the observed points here
   double maximal_correction = 1.5;              // and in later rounds for just so many times that of what remains
@@ -65,7 +66,8 @@ struct Adaptive_parameters
   // The refined noise level. One that is a little too high costs less than one that is too low.
   double refined_level_factor = 1.1;            // times what the residuals tell,
   double refined_level_limit = 0.85;            // counts if it is less than so many times the level before,
-  double least_refined_level = 0.5;             // but for no less than so many times that
+  double least_refined_level = 0.5;             // but for no less than so many times that.
+  std::array<double, 2> refined_level_of_shape = {{ 0.25, 0.5 }}; // Between these times that, while most is shape
   double least_rest_of_noise = 0.1;             // the share of the noise in the residual of a vertex
 
   // The pilot. The normal of a face is off by about twice the noise: the range of the filter starts above that and shrinks to
@@ -138,9 +140,11 @@ struct Adaptive_parameters
   double mixing_penalty = 32;                   // that of two estimates
   double mesh_penalty = 8;                      // how far the weight of the whole mesh keeps to zero
   // The fits of patches follow the noise by their leverages, and where their sizes were chosen to follow detail, they follow
-  // the noise by that choice, too.
+  // the noise by that choice, too: less where noise is weak, as detail leaves little to choose there.
   double unadapted_leverage = 0.016;            // that of large patches
-  double adaptation_factor = 1.5;               // of what leverages have beyond
+  double adaptation_factor = 1.5;               // of what leverages have beyond, where noise is this or more,
+  double full_adaptation_noise = 0.2;           // in the lengths of the edges there,
+  double least_adaptation = 0.5;                // and the less the weaker it is, down to this share
 
   // Reassignment of faces
   double reassignment_edge_cosine = 0.8;        // that of the least angle of an edge,

@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_denoising/Indexed_triangle_mesh.h>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -74,6 +75,15 @@ inline Indexed_triangle_mesh::Vector_3 to_center(const Indexed_triangle_mesh& me
   Indexed_triangle_mesh::Vector_3 sum(0, 0, 0);
   for(const Indexed_triangle_mesh::Index w : neighbors(v))
     sum += mesh.point(w) - mesh.point(v);
+  return sum / double(neighbors(v).size());
+}
+
+// the mean length of the edges of vertex `v`, which has neighbors
+inline double mean_length_of_edges(const Indexed_triangle_mesh& mesh, const Vertex_neighbors& neighbors, const std::size_t v)
+{
+  double sum = 0;
+  for(const Indexed_triangle_mesh::Index w : neighbors(v))
+    sum += std::sqrt(squared_distance(mesh.point(v), mesh.point(w)));
   return sum / double(neighbors(v).size());
 }
 

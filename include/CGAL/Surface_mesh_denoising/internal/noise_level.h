@@ -191,14 +191,12 @@ double share_of_impulses(const Vertex_neighbors& neighbors, const std::vector<do
   return (whole > 0) ? number / whole : 0;
 }
 
-// Whether the shape makes the large residuals: then they lie together, while those of noise have nothing to do with their
-// neighbors, or stand alone. Beyond `limit` it does not count how large they are
+// How far large residuals lie together: the correlation of the sizes of neighbors, less what chance explains where there is
+// little to go by. Those of noise have nothing to do with their neighbors. Beyond `limit` it does not count how large they are
 template <typename ConcurrencyTag>
-bool are_of_shape(const Vertex_neighbors& neighbors, const std::vector<double>& residuals, const std::vector<bool>& counts,
-                  const double limit)
+double correlation_of_sizes(const Vertex_neighbors& neighbors, const std::vector<double>& residuals,
+                            const std::vector<bool>& counts, const double limit)
 {
-  const double largest_correlation = 0.04, largest_share_of_impulses = 0.01;
-
   const auto size = [&](const std::size_t v) { return (std::min)(std::abs(residuals[v]), limit); };
   const double number = double(std::count(counts.begin(), counts.end(), true));
   const double mean = sum<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
@@ -209,9 +207,30 @@ bool are_of_shape(const Vertex_neighbors& neighbors, const std::vector<double>& 
     if(counts[v])
       sizes[v] = size(v) - mean;
   });
-  return correlation_of_neighbors<ConcurrencyTag>(neighbors, std::move(sizes), counts)
-           > largest_correlation + 2 / std::sqrt(number) // the less there is to go by, the more chance explains
+  return correlation_of_neighbors<ConcurrencyTag>(neighbors, std::move(sizes), counts) - 2 / std::sqrt(number);
+}
+
+// Whether the shape makes the large residuals: then they lie together, and hardly any stands alone
+template <typename ConcurrencyTag>
+bool are_of_shape(const Vertex_neighbors& neighbors, const std::vector<double>& residuals, const std::vector<bool>& counts,
+                  const double limit)
+{
+  const double largest_correlation = 0.04, largest_share_of_impulses = 0.01;
+
+  return correlation_of_sizes<ConcurrencyTag>(neighbors, residuals, counts, limit) > largest_correlation
       && share_of_impulses<ConcurrencyTag>(neighbors, residuals, counts) < largest_share_of_impulses;
+}
+
+// Whether the shape makes most of the residuals: then even the others are no noise, which is nearly as strong everywhere
+template <typename ConcurrencyTag>
+bool are_mostly_of_shape(const Vertex_neighbors& neighbors, const std::vector<double>& residuals,
+                         const std::vector<bool>& counts)
+{
+  const double largest_correlation = 0.14, least_uniformity = 0.8;
+
+  return correlation_of_sizes<ConcurrencyTag>(neighbors, residuals, counts, 4 * median_of_absolutes(residuals, counts))
+           > largest_correlation
+      && quiet_places<ConcurrencyTag>(neighbors, residuals, counts).uniformity < least_uniformity;
 }
 
 // Detail of the shape, in a mesh without noise, makes residuals that are not uniform, and no impulses. Either they are small, or
