@@ -82,6 +82,7 @@ public:
                                    : noise_level<ConcurrencyTag>(mesh, m_mean_edge_length, neighbors, is_movable);
     std::vector<Point_3> observed = mesh.points();
     std::vector<Point_3> original; // if other than the observed points
+    const auto given = [&]() -> const std::vector<Point_3>& { return original.empty() ? observed : original; };
     std::vector<Point_3> pilot = observed;
     const auto end = [&]()
     {
@@ -105,7 +106,7 @@ public:
       // with a noise level of the user's there is nothing to correct
       if(m_noise_level >= 0 || !correct_noise(round, mesh, is_movable, neighbors, observed, original))
         break;
-      std::vector<Point_3> points = (is_free_of_noise() && !original.empty()) ? original : observed;
+      std::vector<Point_3> points = is_free_of_noise() ? given() : observed;
       mesh.swap_points(points);
       if(is_free_of_noise())
       {
@@ -130,14 +131,14 @@ public:
     if(m_parameters.reassign_faces)
     {
       move_to_agree(m_parameters.final_least_number_of_moves);
-      Face_reassignment<ConcurrencyTag>(mesh, original.empty() ? observed : original, is_movable, neighbors, m_noise,
+      Face_reassignment<ConcurrencyTag>(mesh, given(), is_movable, neighbors, m_noise,
                                         m_patch_shares, m_parameters, m_face_normals).run();
     }
     move_to_agree(number_of_moves);
     if(m_parameters.unfold_faces)
       unfold_faces(mesh, observed, is_movable, neighbors);
     if(m_parameters.preserve_volume)
-      keep_volume<ConcurrencyTag>(mesh, original.empty() ? observed : original, is_movable, m_noise,
+      keep_volume<ConcurrencyTag>(mesh, given(), is_movable, m_noise,
                                   m_parameters.volume_number_of_rounds);
 
     return end();
