@@ -518,9 +518,12 @@ TEST(Tangential_noise, Shows_in_turned_faces)
       return SMD::internal::tangential_noise_ratio<CGAL::Sequential_tag>(
         surface, indexed_mesh(noisy).points(), level * mean_edge_length(truth), SMD::internal::Adaptive_parameters());
     };
-    EXPECT_EQ(ratio(truth, 0.3), 0);
-    EXPECT_LT(ratio(with_noise(truth, 0.3), 0.3), 0.02);
-    EXPECT_GT(ratio(with_noise_in_all_directions(truth, 0.3), 0.3 / std::sqrt(3.)), 0.5);
+    EXPECT_EQ(ratio(truth, 0.3).value, 0);
+    EXPECT_LT(ratio(with_noise(truth, 0.3), 0.3).upper_bound, 0.05);
+    EXPECT_GT(ratio(with_noise_in_all_directions(truth, 0.3), 0.3 / std::sqrt(3.)).value, 0.5);
+    // where noise turns no face in either direction, it may have any
+    EXPECT_EQ(ratio(with_noise(truth, 0.05), 0.05).value, 0);
+    EXPECT_GT(ratio(with_noise(truth, 0.05), 0.05).upper_bound, 0.5);
   }
 }
 
@@ -760,7 +763,7 @@ struct Assigned_faces
     const std::vector<bool> is_movable(mesh.number_of_vertices(), true);
     const std::vector<float> shares(normals.size(), share);
     SMD::internal::Face_reassignment<CGAL::Sequential_tag>(mesh, observed, is_movable, SMD::internal::Vertex_neighbors(mesh),
-                                                           mesh.mean_edge_length() / 3, shares, parameters, normals).run();
+                                                           mesh.mean_edge_length() / 3, 1, shares, parameters, normals).run();
   }
 };
 
@@ -815,6 +818,38 @@ TEST(Face_reassignment, Brings_faces_back_to_their_sides)
   EXPECT_GT(largest_difference(faces, cube), 1.4);
   faces.reassign(cube.mesh.points(), 1);
   EXPECT_LT(largest_difference(faces, cube), 1e-6);
+}
+
+// A wrong side takes ways along the surface
+TEST(Face_reassignment, Knows_more_where_noise_is_along_normals)
+{
+  std::size_t flips = 0, flips_without = 0;
+  double sum_of_ratios = 0;
+  for(const Model_generator model : {models::cone, models::pyramid_4, models::cut_sphere, models::cad_part})
+  {
+    const Mesh truth = irregular_mesh(model, 6000);
+    const Mesh noisy = with_noise(truth, 0.8);
+    const Mesh result = denoised(noisy);
+
+    SMD::internal::Adaptive_parameters parameters;
+    parameters.reassignment_tangential_weight = 0;
+    SMD::Indexed_triangle_mesh indexed = indexed_mesh(noisy);
+    SMD::internal::Adaptive_fitting<CGAL::Sequential_tag>(parameters, -1).run(
+      indexed, std::vector<bool>(indexed.number_of_vertices(), true), [](std::size_t, double, bool) { return true; });
+    Mesh without = noisy;
+    for(const Vertex v : without.vertices())
+    {
+      const auto& p = indexed.point(std::size_t(v));
+      without.point(v) = Point(p.x(), p.y(), p.z());
+    }
+
+    flips += number_of_flips(result, truth);
+    flips_without += number_of_flips(without, truth);
+    sum_of_ratios += error(result, truth) / error(without, truth);
+  }
+  EXPECT_GT(flips_without, 10u);
+  EXPECT_LT(flips, 0.7 * flips_without);
+  EXPECT_LT(sum_of_ratios, 4);
 }
 
 void expect_that_wrong_faces_stay(const float share, const SMD::internal::Adaptive_parameters& parameters)

@@ -131,8 +131,7 @@ public:
     if(m_parameters.reassign_faces)
     {
       move_to_agree(m_parameters.final_least_number_of_moves);
-      Face_reassignment<ConcurrencyTag>(mesh, given(), is_movable, neighbors, m_noise,
-                                        m_patch_shares, m_parameters, m_face_normals).run();
+      reassign_faces(mesh, given(), observed, is_movable, neighbors);
     }
     move_to_agree(number_of_moves);
     if(m_parameters.unfold_faces)
@@ -186,6 +185,22 @@ private:
     return true;
   }
 
+  // Slides depend on where the pilot saw the edges: observed points take part in them with care
+  void reassign_faces(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& given, const std::vector<Point_3>& observed,
+                      const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors)
+  {
+    std::vector<Point_3> points = given;
+    if(m_vertices_slide)
+      for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
+      { points[v] = points[v] + m_parameters.reassignment_slide * (observed[v] - points[v]); });
+    const std::array<double, 2>& ratios = m_parameters.normal_noise_ratios;
+    const double certainty = m_parameters.remove_tangential_noise // else nothing is known of it
+      ? (ratios[1] - m_bound_of_tangential_noise) / (ratios[1] - ratios[0]) : 0;
+    const double tangential_weight = m_parameters.reassignment_tangential_weight * (std::min)((std::max)(certainty, 0.), 1.);
+    Face_reassignment<ConcurrencyTag>(mesh, points, is_movable, neighbors, m_noise, tangential_weight,
+                                      m_patch_shares, m_parameters, m_face_normals).run();
+  }
+
   void unfold_faces(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed, const std::vector<bool>& is_movable,
                     const Vertex_neighbors& neighbors) const
   {
@@ -198,12 +213,14 @@ private:
                                const Vertex_neighbors& neighbors, std::vector<Point_3>& observed,
                                std::vector<Point_3>& original)
   {
-    const double ratio = tangential_noise_ratio<ConcurrencyTag>(mesh, observed, m_noise, m_parameters);
-    m_noise_turns_faces = m_noise_turns_faces || ratio > m_parameters.turning_ratio;
-    const double certainty = (ratio - m_parameters.least_tangential_ratio)
+    const Tangential_noise_ratio ratio = tangential_noise_ratio<ConcurrencyTag>(mesh, observed, m_noise, m_parameters);
+    m_noise_turns_faces = m_noise_turns_faces || ratio.value > m_parameters.turning_ratio;
+    m_bound_of_tangential_noise = (std::max)(m_bound_of_tangential_noise, ratio.upper_bound);
+    const double certainty = (ratio.value - m_parameters.least_tangential_ratio)
                            / (m_parameters.sure_tangential_ratio - m_parameters.least_tangential_ratio);
     if(!(certainty > 0))
       return;
+    m_vertices_slide = true;
     const std::vector<Point_3> before = mesh.points();
     if(m_parameters.unfold_faces)
       unfold_faces(mesh, observed, is_movable, neighbors);
@@ -460,6 +477,8 @@ private:
   std::vector<double> m_noise_shares; // of the result so far, see mixing.h
   std::vector<float> m_patch_shares;  // what each face has of the patches, in the result so far
   bool m_noise_turns_faces = false;
+  bool m_vertices_slide = false;
+  double m_bound_of_tangential_noise = 0; // on the ratio in tangential_noise.h
   bool m_has_impulses = false;
   bool m_residuals_are_shape = false; // most of what the last patches left
   std::vector<Vector_3> m_vertex_normals;

@@ -151,7 +151,11 @@ struct Adaptive_parameters
   double reassignment_plane_cosine = 0.98;      // and between planes that differ
   double reassignment_least_height = 0.5;       // that the triangles around a face have, times noise
   double reassignment_reach = 3;                // times noise: observed points that are further away count less
-  double reassignment_stiffness = 3;            // the weight of the plane of a face
+  double reassignment_stiffness = 5;            // the weight of the plane of a face,
+  double reassignment_tangential_weight = 1.5;  // and that of ways along the surface where there is no noise along it:
+  std::array<double, 2> normal_noise_ratios = {{ 0.1, 0.2 }}; // surely below the first ratio in tangential_noise.h,
+                                                // not beyond the second
+  double reassignment_slide = 0.5;              // the share of the slides that observed points take part in
   double reassignment_evenness = 0.8;           // that of a neighbor where edges are as long as the noise
   std::size_t reassignment_number_of_moves = 2;
   std::size_t reassignment_number_of_rounds = 20;

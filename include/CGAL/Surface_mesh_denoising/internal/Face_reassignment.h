@@ -32,9 +32,9 @@ namespace internal {
 // Filters of normals tell by majority on which side of an edge a face lies, so where noise is strong an edge here and there
 // runs beside the true one. Here faces take over the plane of a neighbor across an edge if that explains the observed
 // points better, by the sum over the vertices of the least energy
-//   w |p - y|^2 + k sum_f (n_f (p - c_f))^2 + m sum_q |p - q|^2
-// that a vertex has anywhere, as its point p is to be near its observed point y, on the planes of its faces, and, as
-// triangles are even more often than not, amidst its neighbors q.
+//   w |p - y|^2 + w t |n x (p - y)|^2 + k sum_f (n_f (p - c_f))^2 + m sum_q |p - q|^2
+// that a vertex has anywhere, as its point p is to be near its observed point y, where noise is along the normals in the
+// direction n of these, on the planes of its faces, and, as triangles are even more often than not, amidst its neighbors q.
 template <typename ConcurrencyTag>
 class Face_reassignment
 {
@@ -44,17 +44,20 @@ class Face_reassignment
 
 public:
   // The planes are those through the centroids of the faces with these normals. Faces whose share, what they have of patches,
-  // is less than a half keep theirs. `noise` is in the unit of the coordinates. Keeps references
+  // is less than a half keep theirs. `noise` is in the unit of the coordinates, `tangential_weight` is t above. Keeps references
   Face_reassignment(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed,
                     const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors, const double noise,
-                    const std::vector<float>& shares, const Adaptive_parameters& parameters,
-                    std::vector<Vector_3>& normals)
+                    const double tangential_weight, const std::vector<float>& shares,
+                    const Adaptive_parameters& parameters, std::vector<Vector_3>& normals)
     : m_mesh(mesh), m_observed(observed), m_is_movable(is_movable), m_neighbors(neighbors), m_noise(noise),
-      m_shares(shares), m_parameters(parameters), m_normals(normals), m_offsets(normals.size()), m_points(mesh.points()),
-      m_energies(mesh.number_of_vertices())
+      m_tangential_weight(tangential_weight), m_shares(shares), m_parameters(parameters), m_normals(normals),
+      m_offsets(normals.size()), m_areas(normals.size()), m_points(mesh.points()), m_energies(mesh.number_of_vertices())
   {
     for_each_index<ConcurrencyTag>(m_offsets.size(), [&](const std::size_t f)
-    { m_offsets[f] = m_normals[f] * (m_mesh.centroid(f) - ORIGIN); });
+    {
+      m_offsets[f] = m_normals[f] * (m_mesh.centroid(f) - ORIGIN);
+      m_areas[f] = m_mesh.area(f);
+    });
   }
 
   // changes the normals, and moves the vertices of faces that it changes to where their energy is least
@@ -112,6 +115,8 @@ private:
     Eigen::Vector3d vector = Eigen::Vector3d::Zero();
     double constant = 0;
     double least = 0;
+    double across = 0;                    // the weight of ways from the observed point across the normal,
+    Vector_3 area_vector{0, 0, 0};        // which has the direction of this
 
     void add_point(const double weight, const Vector_3& way)
     {
@@ -194,15 +199,30 @@ private:
     return m_is_movable[v] ? energy.constant - energy.vector.dot(energy.best_move()) : energy.constant;
   }
 
+  void add_way_along_normal(Energy& energy, const double weight, const std::size_t v) const
+  {
+    const double length = std::sqrt(energy.area_vector.squared_length());
+    if(!(length > 0))
+      return;
+    const Vector_3 normal = energy.area_vector / length;
+    energy.add_plane(weight, normal, normal * (m_observed[v] - m_points[v]));
+  }
+
   Energy compute_energy(const std::size_t v) const
   {
     Energy energy;
     // an observed point that is further away than noise explains, as one with an impulse, tells little
     const double reach = m_parameters.reassignment_reach * m_noise;
     const double squared_residual = squared_distance(m_observed[v], m_mesh.point(v));
-    energy.add_point((squared_residual > reach * reach) ? reach * reach / squared_residual : 1, m_observed[v] - m_points[v]);
+    const double weight = (squared_residual > reach * reach) ? reach * reach / squared_residual : 1;
+    energy.across = m_tangential_weight * weight;
+    energy.add_point(weight + energy.across, m_observed[v] - m_points[v]);
     for(const Index f : m_mesh.faces_around_vertex(v))
+    {
       energy.add_plane(m_parameters.reassignment_stiffness, m_normals[f], distance_to_plane(f, v));
+      energy.area_vector = energy.area_vector + m_areas[f] * m_normals[f];
+    }
+    add_way_along_normal(energy, -energy.across, v);
     if(m_neighbors.is_inside(v))
     {
       double squared_length = 0;
@@ -296,12 +316,15 @@ private:
           for(const Index v : vertices)
           {
             Energy energy = m_energies[v];
+            add_way_along_normal(energy, energy.across, v);
             for(const Index h : faces)
               if(std::find(m_mesh.vertices(h).begin(), m_mesh.vertices(h).end(), v) != m_mesh.vertices(h).end())
               {
                 energy.add_plane(-m_parameters.reassignment_stiffness, m_normals[h], distance_to_plane(h, v));
                 energy.add_plane(m_parameters.reassignment_stiffness, m_normals[g], distance_to_plane(g, v));
+                energy.area_vector = energy.area_vector + m_areas[h] * (m_normals[g] - m_normals[h]);
               }
+            add_way_along_normal(energy, -energy.across, v);
             change.gain += m_energies[v].least - least_energy(energy, v);
           }
           if(change.gain > (std::max)(best.gain, least_gain))
@@ -344,12 +367,13 @@ private:
   const std::vector<Point_3>& m_observed;
   const std::vector<bool>& m_is_movable;
   const Vertex_neighbors& m_neighbors;
-  double m_noise;
+  double m_noise, m_tangential_weight;
   const std::vector<float>& m_shares;
   const Adaptive_parameters& m_parameters;
 
   std::vector<Vector_3>& m_normals; // of the planes,
-  std::vector<double> m_offsets;    // and their distances from the origin
+  std::vector<double> m_offsets;    // their distances from the origin,
+  std::vector<double> m_areas;      // and how much of them there is
   std::vector<Point_3> m_points;    // where the energies are about least
   std::vector<Energy> m_energies;   // of vertices near edges
 };

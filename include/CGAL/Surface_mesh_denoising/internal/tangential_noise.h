@@ -32,11 +32,17 @@ namespace CGAL {
 namespace Surface_mesh_denoising {
 namespace internal {
 
+struct Tangential_noise_ratio
+{
+  double value = 0;
+  double upper_bound = 0; // it may be as large as this: a few turned faces, out of thousands, tell nothing
+};
+
 // How many faces the observed points turn over, as seen from outside the smoother surface `mesh`, beside how many they
 // would if the noise were as strong along the surface as across it. About one half to one if it is, while noise
 // along the normals turns none where the normals are known; `noise` is in the unit of the coordinates.
 template <typename ConcurrencyTag>
-double tangential_noise_ratio(const Indexed_triangle_mesh& mesh,
+Tangential_noise_ratio tangential_noise_ratio(const Indexed_triangle_mesh& mesh,
                               const std::vector<Indexed_triangle_mesh::Point_3>& observed, const double noise,
                               const Adaptive_parameters& parameters)
 {
@@ -69,10 +75,11 @@ double tangential_noise_ratio(const Indexed_triangle_mesh& mesh,
   { return sum<ConcurrencyTag>(counts.size(), [&](const std::size_t f) { return double(value(counts[f])); }); };
   const double whole = total([](const Counts& c) { return c.is_known; });
   if(!(whole > 0))
-    return 0;
-  // a few turned faces, out of thousands, tell nothing
-  return total([](const Counts& c) { return c.is_turned; })
-       / (total([](const Counts& c) { return c.expected; }) + parameters.least_share_of_turned_faces * whole);
+    return Tangential_noise_ratio();
+  const double turned = total([](const Counts& c) { return c.is_turned; });
+  const double untold = parameters.least_share_of_turned_faces * whole;
+  const double expected = total([](const Counts& c) { return c.expected; }) + untold;
+  return Tangential_noise_ratio{ turned / expected, (turned + untold) / expected };
 }
 
 // From each vertex inside to the center of its neighbors, along the surface
