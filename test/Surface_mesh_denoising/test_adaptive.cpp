@@ -17,6 +17,7 @@
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/transform.h>
+#include <CGAL/boost/graph/generators.h>
 
 #include <Eigen/Core>
 
@@ -364,6 +365,18 @@ TEST(Adaptive_fitting, Weak_noise_is_told_from_edges)
                   points_of(denoised(noisy, params::noise_level(level).refine_noise_level(false))));
       }
   EXPECT_LT(sum_of_ratios, 12 * 0.9);
+}
+
+// quadrics of two rings see nothing but edges here
+TEST(Adaptive_fitting, Edges_on_coarse_meshes_hide_no_noise)
+{
+  for(const Model_generator model : {models::obtuse_prism, models::cad_part, models::pyramid_3})
+    for(const unsigned int seed : {1, 2, 3})
+      for(const double level : {0.01, 0.02})
+      {
+        const Mesh truth = irregular_mesh(model, 600), noisy = with_noise(truth, level, seed);
+        EXPECT_LT(error(denoised(noisy), truth), 0.4 * error(noisy, truth)) << level << ", seed " << seed;
+      }
 }
 
 TEST(Adaptive_fitting, Large_residuals_that_lie_together_are_no_impulses)
@@ -1108,6 +1121,21 @@ TEST(Adaptive_fitting, Normals_are_those_of_the_result)
 }
 
 // ---- bad and small meshes
+
+TEST(Adaptive_fitting, Meshes_of_few_vertices_come_back)
+{
+  for(const double noise : {0., 0.2})
+  {
+    Mesh mesh;
+    CGAL::make_icosahedron(mesh, Point(0, 0, 0), 1.);
+    if(noise > 0)
+      mesh = with_noise(mesh, noise);
+    EXPECT_EQ(points_of(denoised(mesh)), points_of(mesh));
+    EXPECT_EQ(SMD::estimate_noise_level(mesh), 0);
+    // but not if the level is known
+    EXPECT_NE(points_of(denoised(mesh, params::noise_level(0.2))), points_of(mesh));
+  }
+}
 
 TEST(Adaptive_fitting, Tiny_meshes_stay_finite)
 {

@@ -122,15 +122,17 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *   noise. Stein's unbiased risk estimate tells, from the noisy mesh alone, how much of what a path took away was shape, and which
 *   result is closer to the true surface in each part of the mesh. They are mixed accordingly.
 * - Faces at edges are <em>reassigned</em>: they take over the plane on the other side where that explains the given points better.
+*   Noise that turns no faces over is along the normals, which tells the sides better.
 * - <em>Tangential noise</em> turns faces over, by which it is told from noise along the normals. Where it does, vertices slide, before patches
 *   are fitted, to where triangles are even; and faces that face against the faces around them are <em>unfolded</em> in the end. The
 *   few that a mesh has turned by itself stay.
 * - <em>Impulses</em> are told by tails of the distances between the given points and the patches that are too heavy for the most of
 *   them. They are cut off, and pilot and patches made anew. That happens, too, where the <em>noise level</em> that these distances
 *   tell is much lower than the first estimate, which takes edges and small detail for noise. While most of them are detail, since
-*   large ones lie together and others are small, the level is lowered further; if that does not end, there is no noise.
+*   large ones lie together and others are small, the level is lowered further; if that does not end, there is no noise. Where all
+*   seemed to be shape from the beginning, there is noise only if these distances are smaller than it seemed, and look like noise.
 * - The surface is offset until it encloses the <em>volume</em> that it did before, which noise leaves as it is, on average.
-* A mesh without noise comes back as it is.
+* A mesh without noise comes back as it is, and so does one where fewer than 50 vertices may move, which tell nothing of noise.
 *
 * If any of the parameters of the iterative method is given, that method runs, with its other parameters at their defaults: each
 * iteration filters the face normals; finds for each vertex the faces around it that lie on the same side of the
@@ -218,11 +220,13 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *   \cgalParamNEnd
 *   \cgalParamNBegin{refine_noise_level}
 *     \cgalParamDescription{Adaptive method: whether a noise level is lowered that is about 30 percent higher, or more, than the
-*                           distances between the given points and the patches tell.}
+*                           distances between the given points and the patches tell, and noise looked for where all seems to be
+*                           shape.}
 *     \cgalParamType{Boolean}
 *     \cgalParamDefault{`true`}
 *     \cgalParamExtra{It has no effect if `noise_level` is given. It matters where noise is weak and the surface full of edges or detail;
-*                     there, the run takes about a fifth longer, and up to a half longer on meshes full of detail.}
+*                     there, the run takes about a fifth longer, and up to a half longer on meshes full of detail. A mesh
+*                     without noise comes back without it sooner, before a pilot is made.}
 *   \cgalParamNEnd
 *   \cgalParamNBegin{reassign_faces}
 *     \cgalParamDescription{Adaptive method: whether faces at edges change sides where that explains the given points better.}

@@ -31,8 +31,9 @@ namespace Surface_mesh_denoising {
 * Fine detail of the shape stands out like noise, but not everywhere alike, and neighbors stand out together. What is less than 0.045
 * mean edge lengths, and far less in some parts of the mesh than in others, counts as detail, and the level is zero. So it is up to 0.15
 * mean edge lengths if neighbors stand out together even in the smoothest third of the mesh, where those of noise alone tend to
-* opposite sides. A coarse mesh full of detail may still pass for a noisy one, and weak noise on such a mesh, up to about 0.05
-* mean edge lengths, for detail.
+* opposite sides. A coarse mesh full of detail may still pass for a noisy one, and weak noise on such a mesh, or on one with edges, up
+* to about 0.05 mean edge lengths, for detail. `denoise_anisotropic_fitting()` knows more of it in the end. Fewer than 50 vertices tell
+* nothing: the level is zero.
 *
 * The noise is taken to be independent from vertex to vertex. That of a scanner need not be: noise that neighboring vertices have
 * in common looks like shape, and the level comes out too low. Impulses that spare most vertices go unnoticed as well.
@@ -109,9 +110,9 @@ double estimate_noise_level(const TriangleMesh& tmesh, const NamedParameters& np
   const double mean_edge_length = mesh.mean_edge_length<ConcurrencyTag>();
   if(!(mean_edge_length > 0))
     return 0;
-  const double noise = internal::noise_level<ConcurrencyTag>(mesh, mean_edge_length, internal::Vertex_neighbors(mesh),
-                                                             io.is_movable());
-  return internal::in_smooth_edge_lengths(noise / mean_edge_length);
+  const internal::Noise_estimate noise
+    = internal::estimate_noise<ConcurrencyTag>(mesh, mean_edge_length, internal::Vertex_neighbors(mesh), io.is_movable());
+  return noise.may_be_shape ? 0 : internal::in_smooth_edge_lengths(noise.level / mean_edge_length);
 }
 
 } // namespace Surface_mesh_denoising

@@ -78,8 +78,7 @@ public:
     Denoising_result result;
     m_mean_edge_length = mesh.mean_edge_length<ConcurrencyTag>();
     const Vertex_neighbors neighbors(mesh);
-    m_noise = (m_noise_level >= 0) ? in_noisy_edge_lengths(m_noise_level) * m_mean_edge_length
-                                   : noise_level<ConcurrencyTag>(mesh, m_mean_edge_length, neighbors, is_movable);
+    find_noise_level(mesh, is_movable, neighbors);
     std::vector<Point_3> observed = mesh.points();
     std::vector<Point_3> original; // if other than the observed points
     const auto given = [&]() -> const std::vector<Point_3>& { return original.empty() ? observed : original; };
@@ -146,6 +145,18 @@ public:
 private:
   double relative_noise() const { return m_noise / m_mean_edge_length; }
   bool is_free_of_noise() const { return !(m_noise > m_parameters.negligible_noise * m_mean_edge_length); }
+
+  void find_noise_level(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors)
+  {
+    if(m_noise_level >= 0)
+    {
+      m_noise = in_noisy_edge_lengths(m_noise_level) * m_mean_edge_length;
+      return;
+    }
+    const Noise_estimate estimate = estimate_noise<ConcurrencyTag>(mesh, m_mean_edge_length, neighbors, is_movable);
+    m_may_be_free_of_noise = estimate.may_be_shape;
+    m_noise = (m_may_be_free_of_noise && !m_parameters.refine_noise_level) ? 0 : estimate.level;
+  }
 
   static double largest_displacement(const std::vector<Point_3>& from, const std::vector<Point_3>& to)
   {
@@ -252,11 +263,51 @@ private:
     for_each_index<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
     { residuals[v] = (observed[v] - mesh.point(v)) * normals[v]; });
 
+    if(m_may_be_free_of_noise)
+    {
+      m_may_be_free_of_noise = false;
+      if(!are_of_noise_after_all(is_movable, neighbors, residuals))
+      {
+        m_noise = 0;
+        return true;
+      }
+    }
     if(m_parameters.remove_impulses
        && remove_impulses(is_movable, neighbors, normals, residuals, observed, original))
       return true;
     return m_parameters.refine_noise_level && !m_has_impulses
            && refine_noise_level(round, is_movable, neighbors, std::move(residuals));
+  }
+
+  // to the residuals: the share of the noise that their leverages tell
+  void add_what_patches_follow(std::vector<double>& residuals) const
+  {
+    for_each_index<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
+    { residuals[v] /= std::sqrt((std::max)(1 - m_leverages[v], m_parameters.least_rest_of_noise)); });
+  }
+
+  double refined_level(const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
+                       std::vector<double> residuals) const
+  {
+    subtract_mean_of_neighbors<ConcurrencyTag>(neighbors, residuals);
+    const double variance_of_differences = 1 + 1. / 6; // with six neighbors, as there are in the mean
+    return m_parameters.refined_level_factor * median_of_absolutes(residuals, is_movable)
+         / (median_of_normal_distribution * std::sqrt(variance_of_differences));
+  }
+
+  // Edges on coarse triangles hide weak noise from quadrics of two rings, which take all for shape, but not from patches: they
+  // fit the edges, and what they leave is less than it seemed, and nowhere shape. Detail they leave, too
+  bool are_of_noise_after_all(const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
+                              std::vector<double> residuals) const
+  {
+    add_what_patches_follow(residuals);
+    const double level = refined_level(is_movable, neighbors, residuals);
+    if(!(level > m_parameters.negligible_noise * m_mean_edge_length && level < m_parameters.level_of_hidden_noise * m_noise)
+       || are_mostly_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable))
+      return false;
+    const Quiet_places quiet = quiet_places<ConcurrencyTag>(neighbors, residuals, is_movable);
+    return correlation_of_neighbors<ConcurrencyTag>(neighbors, residuals, quiet.are_there)
+         < m_parameters.correlation_of_hidden_noise;
   }
 
   // The noise level rests on quadrics of two rings, which know no edges and hide detail of the shape in the noise. Patches tell
@@ -265,8 +316,7 @@ private:
   bool refine_noise_level(const std::size_t round, const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
                           std::vector<double> residuals)
   {
-    for_each_index<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
-    { residuals[v] /= std::sqrt((std::max)(1 - m_leverages[v], m_parameters.least_rest_of_noise)); });
+    add_what_patches_follow(residuals);
     m_residuals_are_shape = relative_noise() < m_parameters.shape_noise
                          && are_mostly_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable);
     if(m_residuals_are_shape && round + 1 == m_parameters.shape_number_of_rounds)
@@ -275,10 +325,7 @@ private:
       return true;
     }
 
-    subtract_mean_of_neighbors<ConcurrencyTag>(neighbors, residuals);
-    const double variance_of_differences = 1 + 1. / 6; // with six neighbors, as there are in the mean
-    const double level = m_parameters.refined_level_factor * median_of_absolutes(residuals, is_movable)
-                       / (median_of_normal_distribution * std::sqrt(variance_of_differences));
+    const double level = refined_level(is_movable, neighbors, std::move(residuals));
     if(m_residuals_are_shape)
     {
       const std::array<double, 2>& limits = m_parameters.refined_level_of_shape;
@@ -476,6 +523,7 @@ private:
   std::vector<double> m_leverages;    // of the patches
   std::vector<double> m_noise_shares; // of the result so far, see mixing.h
   std::vector<float> m_patch_shares;  // what each face has of the patches, in the result so far
+  bool m_may_be_free_of_noise = false;
   bool m_noise_turns_faces = false;
   bool m_vertices_slide = false;
   double m_bound_of_tangential_noise = 0; // on the ratio in tangential_noise.h

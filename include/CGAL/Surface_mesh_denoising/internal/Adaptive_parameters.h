@@ -56,6 +56,10 @@ struct Adaptive_parameters
   std::size_t shape_number_of_rounds = 5;       // so often while most of what they leave is shape; then there is no noise.
   double shape_noise = 0.2;                     // Below this, what they leave may be shape
 
+  // Where all seems to be shape, patches show noise if the level that they tell is less than so many times that which seemed,
+  double level_of_hidden_noise = 0.77;
+  double correlation_of_hidden_noise = 0.1;     // and neighbors in quiet places have less in common than this.
+
   // Impulses: the root mean square of the residuals is more than so many times what their median tells of a normal
   // distribution. The noise then counts for as much more, but for no more than so many times its root mean square.
   double heavy_tail = 1.08;

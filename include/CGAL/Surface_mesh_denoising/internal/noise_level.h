@@ -339,22 +339,30 @@ double noise_level_of_residuals(const Vertex_neighbors& neighbors, const std::ve
   }
 }
 
-// The standard deviation of the noise along the normals, from the vertices that count, in the unit of the coordinates.
-// Where all that stands out is shape, it is zero. `mesh` comes back as it was
+struct Noise_estimate
+{
+  double level;       // the standard deviation along the normals, in the unit of the coordinates
+  bool may_be_shape;  // all that stands out seems to be shape, and there is no noise
+};
+
+// From the vertices that count; a few tell nothing. `mesh` comes back as it was
 template <typename ConcurrencyTag>
-double noise_level(Indexed_triangle_mesh& mesh, const double mean_edge_length, const Vertex_neighbors& neighbors,
+Noise_estimate estimate_noise(Indexed_triangle_mesh& mesh, const double mean_edge_length, const Vertex_neighbors& neighbors,
                    const std::vector<bool>& counts)
 {
   typedef Indexed_triangle_mesh::Point_3 Point_3;
 
+  const std::ptrdiff_t least_number_of_vertices = 50;
   const double strong_noise = 0.2; // mean edge lengths
   const std::size_t number_of_averages = 8;
 
+  if(std::count(counts.begin(), counts.end(), true) < least_number_of_vertices)
+    return { 0, false };
   std::vector<double> residuals = leave_one_out_residuals<ConcurrencyTag>(mesh, mesh.points(), neighbors);
   const double level = noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, residuals);
   const double relative_level = level / mean_edge_length;
   if(!(relative_level > strong_noise))
-    return (level > 0 && is_shape<ConcurrencyTag>(neighbors, std::move(residuals), counts, relative_level)) ? 0 : level;
+    return { level, level > 0 && is_shape<ConcurrencyTag>(neighbors, std::move(residuals), counts, relative_level) };
 
   // Noise like that turns normals, and where triangles are small it hides itself: what it does seems to lie along the
   // surface. A smoothed mesh knows better where that is
@@ -371,7 +379,7 @@ double noise_level(Indexed_triangle_mesh& mesh, const double mean_edge_length, c
   }
   residuals = leave_one_out_residuals<ConcurrencyTag>(mesh, observed, neighbors);
   mesh.swap_points(observed);
-  return noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, std::move(residuals));
+  return { noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, std::move(residuals)), false };
 }
 
 // Noise along the normals lengthens the edges, by the factor that the difference of two normal deviates makes in the
