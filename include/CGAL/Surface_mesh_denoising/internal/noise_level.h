@@ -347,8 +347,8 @@ struct Noise_estimate
 
 // From the vertices that count; a few tell nothing. `mesh` comes back as it was
 template <typename ConcurrencyTag>
-Noise_estimate estimate_noise(Indexed_triangle_mesh& mesh, const double mean_edge_length, const Vertex_neighbors& neighbors,
-                   const std::vector<bool>& counts)
+Noise_estimate estimate_noise(Indexed_triangle_mesh& mesh, const double mean_edge_length,
+                              const Vertex_neighbors& neighbors, const std::vector<bool>& counts)
 {
   typedef Indexed_triangle_mesh::Point_3 Point_3;
 

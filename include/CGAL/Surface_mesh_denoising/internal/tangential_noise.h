@@ -43,8 +43,8 @@ struct Tangential_noise_ratio
 // along the normals turns none where the normals are known; `noise` is in the unit of the coordinates.
 template <typename ConcurrencyTag>
 Tangential_noise_ratio tangential_noise_ratio(const Indexed_triangle_mesh& mesh,
-                              const std::vector<Indexed_triangle_mesh::Point_3>& observed, const double noise,
-                              const Adaptive_parameters& parameters)
+                                              const std::vector<Indexed_triangle_mesh::Point_3>& observed,
+                                              const double noise, const Adaptive_parameters& parameters)
 {
   typedef Indexed_triangle_mesh::Vector_3 Vector_3;
 
