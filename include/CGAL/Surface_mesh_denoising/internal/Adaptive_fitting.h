@@ -144,7 +144,8 @@ public:
 
 private:
   double relative_noise() const { return m_noise / m_mean_edge_length; }
-  bool is_free_of_noise() const { return !(m_noise > m_parameters.negligible_noise * m_mean_edge_length); }
+  bool is_negligible(const double noise) const { return !(noise > m_parameters.negligible_noise * m_mean_edge_length); }
+  bool is_free_of_noise() const { return is_negligible(m_noise); }
 
   void find_noise_level(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors)
   {
@@ -200,16 +201,19 @@ private:
   void reassign_faces(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& given, const std::vector<Point_3>& observed,
                       const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors)
   {
-    std::vector<Point_3> points = given;
+    std::vector<Point_3> partly_slid;
     if(m_vertices_slide)
-      for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
-      { points[v] = points[v] + m_parameters.reassignment_slide * (observed[v] - points[v]); });
+    {
+      partly_slid.resize(given.size());
+      for_each_index<ConcurrencyTag>(given.size(), [&](const std::size_t v)
+      { partly_slid[v] = given[v] + m_parameters.reassignment_slide * (observed[v] - given[v]); });
+    }
     const std::array<double, 2>& ratios = m_parameters.normal_noise_ratios;
     const double certainty = m_parameters.remove_tangential_noise // else nothing is known of it
       ? (ratios[1] - m_bound_of_tangential_noise) / (ratios[1] - ratios[0]) : 0;
     const double tangential_weight = m_parameters.reassignment_tangential_weight * (std::min)((std::max)(certainty, 0.), 1.);
-    Face_reassignment<ConcurrencyTag>(mesh, points, is_movable, neighbors, m_noise, tangential_weight,
-                                      m_patch_shares, m_parameters, m_face_normals).run();
+    Face_reassignment<ConcurrencyTag>(mesh, m_vertices_slide ? partly_slid : given, is_movable, neighbors, m_noise,
+                                      tangential_weight, m_patch_shares, m_parameters, m_face_normals).run();
   }
 
   void unfold_faces(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed, const std::vector<bool>& is_movable,
@@ -263,14 +267,10 @@ private:
     for_each_index<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
     { residuals[v] = (observed[v] - mesh.point(v)) * normals[v]; });
 
-    if(m_may_be_free_of_noise)
+    if(round == 0 && m_may_be_free_of_noise && !are_of_noise_after_all(is_movable, neighbors, residuals))
     {
-      m_may_be_free_of_noise = false;
-      if(!are_of_noise_after_all(is_movable, neighbors, residuals))
-      {
-        m_noise = 0;
-        return true;
-      }
+      m_noise = 0;
+      return true;
     }
     if(m_parameters.remove_impulses
        && remove_impulses(is_movable, neighbors, normals, residuals, observed, original))
@@ -302,7 +302,7 @@ private:
   {
     add_what_patches_follow(residuals);
     const double level = refined_level(is_movable, neighbors, residuals);
-    if(!(level > m_parameters.negligible_noise * m_mean_edge_length && level < m_parameters.level_of_hidden_noise * m_noise)
+    if(is_negligible(level) || !(level < m_parameters.level_of_hidden_noise * m_noise)
        || are_mostly_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable))
       return false;
     const Quiet_places quiet = quiet_places<ConcurrencyTag>(neighbors, residuals, is_movable);
