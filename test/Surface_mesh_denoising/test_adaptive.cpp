@@ -379,6 +379,16 @@ TEST(Adaptive_fitting, Edges_on_coarse_meshes_hide_no_noise)
       }
 }
 
+// small patches follow the bends of large triangles, and leave little of them
+TEST(Adaptive_fitting, Smooth_coarse_meshes_have_no_hidden_noise)
+{
+  for(const std::size_t size : {200, 250, 300, 350, 400})
+  {
+    const Mesh mesh = irregular_mesh(models::torus, size);
+    EXPECT_EQ(points_of(denoised(mesh)), points_of(mesh)) << size;
+  }
+}
+
 TEST(Adaptive_fitting, Large_residuals_that_lie_together_are_no_impulses)
 {
   for(const std::size_t size : {300, 3000})

@@ -296,14 +296,16 @@ private:
   }
 
   // Edges on coarse triangles hide weak noise from quadrics of two rings, which take all for shape, but not from patches: they
-  // fit the edges, and what they leave is less than it seemed, and nowhere shape. Detail they leave, too
+  // fit the edges, and what they leave is less than it seemed, and nowhere shape. Detail they leave, too, or they follow it
   bool are_of_noise_after_all(const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
                               std::vector<double> residuals) const
   {
     add_what_patches_follow(residuals);
     const double level = refined_level(is_movable, neighbors, residuals);
     if(is_negligible(level) || !(level < m_parameters.level_of_hidden_noise * m_noise)
-       || are_mostly_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable))
+       || median_of_absolutes(m_leverages, is_movable) > m_parameters.largest_leverage_there
+       || are_mostly_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable,
+                                              m_parameters.uniformity_of_hidden_noise))
       return false;
     const Quiet_places quiet = quiet_places<ConcurrencyTag>(neighbors, residuals, is_movable);
     return correlation_of_neighbors<ConcurrencyTag>(neighbors, residuals, quiet.are_there)

@@ -57,7 +57,9 @@ struct Adaptive_parameters
   double shape_noise = 0.2;                     // Below this, what they leave may be shape
 
   // Where all seems to be shape, patches show noise if the level that they tell is less than so many times that which seemed,
-  double level_of_hidden_noise = 0.77;
+  double level_of_hidden_noise = 0.85;
+  double largest_leverage_there = 0.15;         // they do not follow all that there is (half of them have less leverage),
+  double uniformity_of_hidden_noise = 0.7;      // what they leave is no less uniform than this or does not lie together,
   double correlation_of_hidden_noise = 0.1;     // and neighbors in quiet places have less in common than this.
 
   // Impulses: the root mean square of the residuals is more than so many times what their median tells of a normal

@@ -224,9 +224,9 @@ bool are_of_shape(const Vertex_neighbors& neighbors, const std::vector<double>& 
 // Whether the shape makes most of the residuals: then even the others are no noise, which is nearly as strong everywhere
 template <typename ConcurrencyTag>
 bool are_mostly_of_shape(const Vertex_neighbors& neighbors, const std::vector<double>& residuals,
-                         const std::vector<bool>& counts)
+                         const std::vector<bool>& counts, const double least_uniformity = 0.8)
 {
-  const double largest_correlation = 0.14, least_uniformity = 0.8;
+  const double largest_correlation = 0.14;
 
   return correlation_of_sizes<ConcurrencyTag>(neighbors, residuals, counts, 4 * median_of_absolutes(residuals, counts))
            > largest_correlation
