@@ -50,8 +50,8 @@ struct Patch_frame
   double height(const Point_3& p) const { return (p - origin) * axis; }
 };
 
-// A plane or a quadric h(u,v) = c0 + c1 u + c2 v + c3 u^2 + c4 uv + c5 v^2 over the plane of a patch, with the
-// covariance of its coefficients in units of the squared noise of the points
+// A surface h(u,v) = c0 + c1 u + c2 v + c3 u^2 + c4 uv + c5 v^2 over the plane of a patch, with the covariance of its
+// coefficients in units of the squared noise of the points
 struct Patch_surface
 {
   typedef Eigen::Matrix<double, 6, 1>       Vector;
@@ -88,15 +88,17 @@ struct Patch_surface
   }
 };
 
-// Fits planes and quadrics to a growing set of points, and keeps the one with the least risk.
+// Fits planes, parabolic cylinders and quadrics to a growing set of points, and keeps the one with the least risk.
 //
 // Coefficients are those that fit the observed points best; what they are worth is told by the pilot's points, which
-// hold much less noise and so show sooner where the surface leaves the fit.
+// hold much less noise and so show sooner where the surface leaves the fit. They tell the axis of a cylinder, too, which
+// so takes but one coefficient more than a plane.
 class Patch_fit
 {
   typedef Indexed_triangle_mesh::Point_3    Point_3;
   typedef Patch_surface::Vector             Vector;
   typedef Eigen::Matrix<double, 6, 6>       Matrix;
+  typedef Eigen::Matrix<double, 6, 4>       Matrix_6x4;
 
 public:
   Patch_fit(const Adaptive_parameters& parameters, const Pilot_error& pilot_error, const double hopeless_risk,
@@ -150,15 +152,39 @@ public:
     const Eigen::Vector3d plane_reduced
       = plane_factor.triangularView<Eigen::Lower>().solve(Eigen::Vector3d(m_rhs.head<3>()));
 
-    // the quadric must be worth its three further coefficients
-    const double gain = has_quadric ? reduced.tail<3>().squaredNorm() : 0;
-    const bool is_plane = !has_quadric || (m_parameters.use_adaptive_degree
-                                           && gain < m_parameters.degree_threshold * m_squared_noise);
+    // what a curved surface explains more than a plane must be worth its further coefficients
     Vector c = Vector::Zero();
-    if(is_plane)
-      c.head<3>() = plane_factor.triangularView<Eigen::Lower>().transpose().solve(plane_reduced);
-    else
-      c = llt.matrixU().solve(reduced);
+    Matrix_6x4 cylinder_basis;
+    std::size_t number_of_coefficients = 3;
+    if(has_quadric)
+    {
+      const Eigen::Vector3d quadric_reduced = reduced.tail<3>();
+      const Eigen::Matrix3d factor = llt.matrixLLT().bottomRightCorner<3, 3>();
+      const auto lower = factor.triangularView<Eigen::Lower>();
+      const Vector pilot_reduced = llt.matrixL().solve(m_pilot_rhs);
+      const Eigen::Vector3d bend = bend_of_cylinder(lower.transpose().solve(Eigen::Vector3d(pilot_reduced.tail<3>())));
+      const Eigen::Vector3d reduced_bend = lower.transpose() * bend;
+      const double curvature = reduced_bend.dot(quadric_reduced) / reduced_bend.squaredNorm();
+
+      const double quadric_worth = worth(quadric_reduced.squaredNorm(), m_parameters.quadric_threshold),
+                   cylinder_worth = worth(curvature * curvature * reduced_bend.squaredNorm(),
+                                          m_parameters.cylinder_threshold);
+      if(!m_parameters.use_adaptive_degree || (quadric_worth >= 0 && quadric_worth >= cylinder_worth))
+      {
+        c.tail<3>() = lower.transpose().solve(quadric_reduced);
+        number_of_coefficients = 6;
+      }
+      else if(cylinder_worth >= 0)
+      {
+        c.tail<3>() = curvature * bend;
+        cylinder_basis.setIdentity();
+        cylinder_basis.col(3).tail<3>() = bend;
+        number_of_coefficients = 4;
+      }
+    }
+    const Eigen::Matrix3d lower_left = llt.matrixLLT().bottomLeftCorner<3, 3>();
+    c.head<3>() = plane_factor.triangularView<Eigen::Lower>().transpose()
+                              .solve(Eigen::Vector3d(plane_reduced - lower_left.transpose() * c.tail<3>()));
     if(!c.allFinite())
       return true;
 
@@ -170,7 +196,7 @@ public:
     const double explained
       = pilot_variance * (n - std::sqrt(2 * m_pilot_error.correlation * n));
     const double squared_bias = (std::max)(0., misfit - explained) / n;
-    const double risk = squared_bias + (is_plane ? 3 : 6) * m_squared_noise / n;
+    const double risk = squared_bias + double(number_of_coefficients) * m_squared_noise / n;
     if(!(risk < m_best.risk))
       return risk <= m_hopeless_risk * m_best.risk;
 
@@ -180,11 +206,17 @@ public:
     m_best.number_of_faces = number_of_faces;
     m_best.number_of_points = m_number_of_points;
     m_best.covariance.setZero();
-    if(is_plane)
+    if(number_of_coefficients == 3)
     {
       Eigen::Matrix3d inverse = Eigen::Matrix3d::Identity();
       plane_factor.triangularView<Eigen::Lower>().solveInPlace(inverse);
       m_best.covariance.topLeftCorner<3, 3>() = inverse.transpose() * inverse;
+    }
+    else if(number_of_coefficients == 4)
+    {
+      const Eigen::Matrix4d matrix
+        = cylinder_basis.transpose() * (m_matrix.selfadjointView<Eigen::Lower>() * cylinder_basis);
+      m_best.covariance = cylinder_basis * matrix.llt().solve(Eigen::Matrix<double, 4, 6>(cylinder_basis.transpose()));
     }
     else
     {
@@ -196,6 +228,19 @@ public:
   }
 
 private:
+  // The part c3 u^2 + c4 uv + c5 v^2 of a parabolic cylinder with second derivative two, bent the way where the given one
+  // bends most
+  static Eigen::Vector3d bend_of_cylinder(const Eigen::Vector3d& c)
+  {
+    const double mean = c[0] + c[2], difference = c[0] - c[2];
+    const double angle = 0.5 * std::atan2(mean < 0 ? -c[1] : c[1], mean < 0 ? -difference : difference);
+    const double cosine = std::cos(angle), sine = std::sin(angle);
+    return Eigen::Vector3d(cosine * cosine, 2 * cosine * sine, sine * sine);
+  }
+
+  // `gain` in squared residuals
+  double worth(const double gain, const double threshold) const { return gain / m_squared_noise - threshold; }
+
   const Adaptive_parameters& m_parameters;
   Pilot_error m_pilot_error;
   double m_hopeless_risk;
