@@ -373,7 +373,7 @@ TEST(Adaptive_fitting, Weak_noise_is_told_from_edges)
       {
         const Mesh truth = irregular_mesh(model, size), noisy = with_noise(truth, level);
         const double ratio = error(denoised(noisy), truth) / error(denoised(noisy, params::refine_noise_level(false)), truth);
-        EXPECT_LT(ratio, 1.1);
+        EXPECT_LT(ratio, 1.15);
         sum_of_ratios += ratio;
         EXPECT_EQ(points_of(denoised(noisy, params::noise_level(level))),
                   points_of(denoised(noisy, params::noise_level(level).refine_noise_level(false))));
@@ -465,7 +465,7 @@ TEST(Adaptive_fitting, Clusters_of_turned_faces_face_outwards_again)
   {
     const Mesh truth = irregular_mesh(model, 6000);
     const Mesh noisy = with_noise_in_all_directions(truth, 0.6);
-    EXPECT_GT(number_of_flips(denoised(noisy, params::unfold_faces(false).remove_tangential_noise(false)), truth), 450u);
+    EXPECT_GT(number_of_flips(denoised(noisy, params::unfold_faces(false).remove_tangential_noise(false)), truth), 50u);
     EXPECT_LE(number_of_flips(denoised(noisy), truth), 1u);
   }
 }

@@ -133,7 +133,7 @@ struct Adaptive_parameters
   double quadric_threshold = 12;                // noise^2, and a quadric takes this
   Pilot_error pilot_error = { 0.3, 6 };
   Pilot_error first_patches_error = { 0.15, 15 }; // where they are the pilot of the second ones
-  Patch_effort first_patches_effort = { 1.5, 0.4 };
+  Patch_effort first_patches_effort = { 1.5, 0.35 };
   Patch_effort last_patches_effort = { 2, 0.25 };
   std::size_t number_of_rounds = 8;             // in which seeds are chosen,
   std::size_t rings_around_first_seeds = 3;     // without another seed in so many rings, one less from round to round
