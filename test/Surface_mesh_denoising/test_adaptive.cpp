@@ -81,18 +81,23 @@ SMD::Indexed_triangle_mesh indexed_mesh(const Mesh& mesh)
   return SMD::Indexed_triangle_mesh(points, faces, neighbors);
 }
 
+Mesh with_points_of(const SMD::Indexed_triangle_mesh& indexed, Mesh mesh)
+{
+  for(const Vertex v : mesh.vertices())
+  {
+    const SMD::Indexed_triangle_mesh::Point_3& p = indexed.point(std::size_t(v));
+    mesh.point(v) = Point(p.x(), p.y(), p.z());
+  }
+  return mesh;
+}
+
 // what no named parameter sets
-Mesh denoised_by(const SMD::internal::Adaptive_parameters& parameters, Mesh mesh)
+Mesh denoised_by(const SMD::internal::Adaptive_parameters& parameters, const Mesh& mesh)
 {
   SMD::Indexed_triangle_mesh indexed = indexed_mesh(mesh);
   SMD::internal::Adaptive_fitting<CGAL::Sequential_tag>(parameters, -1).run(
     indexed, std::vector<bool>(indexed.number_of_vertices(), true), [](std::size_t, double, bool) { return true; });
-  for(const Vertex v : mesh.vertices())
-  {
-    const auto& p = indexed.point(std::size_t(v));
-    mesh.point(v) = Point(p.x(), p.y(), p.z());
-  }
-  return mesh;
+  return with_points_of(indexed, mesh);
 }
 
 double error(const Mesh& mesh, const Mesh& truth) { return SMD::angular_error(mesh, truth).mean; }
@@ -578,20 +583,14 @@ TEST(Tangential_noise, Goes)
 }
 
 // `noise` is in mean edge lengths
-Mesh relaxed_along_surface(Mesh mesh, const double noise)
+Mesh relaxed_along_surface(const Mesh& mesh, const double noise)
 {
   SMD::Indexed_triangle_mesh indexed = indexed_mesh(mesh);
   const std::vector<bool> is_movable(indexed.number_of_vertices(), true);
   SMD::internal::relax_along_surface<CGAL::Sequential_tag>(indexed, is_movable, SMD::internal::Vertex_neighbors(indexed),
                                                            0.5, noise * indexed.mean_edge_length(),
                                                            SMD::internal::Adaptive_parameters());
-  std::size_t i = 0;
-  for(const Vertex v : mesh.vertices())
-  {
-    const SMD::Indexed_triangle_mesh::Point_3& p = indexed.point(i++);
-    mesh.point(v) = Point(p.x(), p.y(), p.z());
-  }
-  return mesh;
+  return with_points_of(indexed, mesh);
 }
 
 TEST(Tangential_noise, Relaxation_keeps_planes_and_edges)

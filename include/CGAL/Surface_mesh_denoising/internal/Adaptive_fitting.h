@@ -303,7 +303,7 @@ private:
     add_what_patches_follow(residuals);
     const double level = refined_level(is_movable, neighbors, residuals);
     if(is_negligible(level) || !(level < m_parameters.level_of_hidden_noise * m_noise)
-       || median_of_absolutes(m_leverages, is_movable) > m_parameters.largest_leverage_there
+       || median_of_absolutes(m_leverages, is_movable) > m_parameters.leverage_of_hidden_noise
        || are_mostly_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable,
                                               m_parameters.uniformity_of_hidden_noise))
       return false;

@@ -58,7 +58,7 @@ struct Adaptive_parameters
 
   // Where all seems to be shape, patches show noise if the level that they tell is less than so many times that which seemed,
   double level_of_hidden_noise = 0.85;
-  double largest_leverage_there = 0.15;         // they do not follow all that there is (half of them have less leverage),
+  double leverage_of_hidden_noise = 0.15;       // they do not follow all that there is (half of them have less leverage),
   double uniformity_of_hidden_noise = 0.7;      // what they leave is no less uniform than this or does not lie together,
   double correlation_of_hidden_noise = 0.1;     // and neighbors in quiet places have less in common than this.
 

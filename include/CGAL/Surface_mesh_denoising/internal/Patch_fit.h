@@ -147,7 +147,6 @@ public:
     if(!has_quadric && !is_regular(3))
       return true;
 
-    const Vector reduced = has_quadric ? Vector(llt.matrixL().solve(m_rhs)) : Vector(Vector::Zero());
     const Eigen::Matrix3d plane_factor = llt.matrixLLT().topLeftCorner<3, 3>();
     const Eigen::Vector3d plane_reduced
       = plane_factor.triangularView<Eigen::Lower>().solve(Eigen::Vector3d(m_rhs.head<3>()));
@@ -158,10 +157,10 @@ public:
     std::size_t number_of_coefficients = 3;
     if(has_quadric)
     {
+      const Vector reduced = llt.matrixL().solve(m_rhs), pilot_reduced = llt.matrixL().solve(m_pilot_rhs);
       const Eigen::Vector3d quadric_reduced = reduced.tail<3>();
       const Eigen::Matrix3d factor = llt.matrixLLT().bottomRightCorner<3, 3>();
       const auto lower = factor.triangularView<Eigen::Lower>();
-      const Vector pilot_reduced = llt.matrixL().solve(m_pilot_rhs);
       const Eigen::Vector3d bend = bend_of_cylinder(lower.transpose().solve(Eigen::Vector3d(pilot_reduced.tail<3>())));
       const Eigen::Vector3d reduced_bend = lower.transpose() * bend;
       const double curvature = reduced_bend.dot(quadric_reduced) / reduced_bend.squaredNorm();
@@ -232,8 +231,8 @@ private:
   // bends most
   static Eigen::Vector3d bend_of_cylinder(const Eigen::Vector3d& c)
   {
-    const double mean = c[0] + c[2], difference = c[0] - c[2];
-    const double angle = 0.5 * std::atan2(mean < 0 ? -c[1] : c[1], mean < 0 ? -difference : difference);
+    const double sign = (c[0] + c[2] < 0) ? -1 : 1;
+    const double angle = 0.5 * std::atan2(sign * c[1], sign * (c[0] - c[2]));
     const double cosine = std::cos(angle), sine = std::sin(angle);
     return Eigen::Vector3d(cosine * cosine, 2 * cosine * sine, sine * sine);
   }
