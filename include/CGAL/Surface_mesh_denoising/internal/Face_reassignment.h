@@ -16,8 +16,8 @@
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
 #include <CGAL/Surface_mesh_denoising/internal/to_eigen.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
@@ -133,7 +133,7 @@ private:
       constant += weight * distance * distance;
     }
 
-    Eigen::Vector3d best_move() const { return matrix.llt().solve(vector); }
+    Eigen::Vector3d best_move() const { return matrix.inverse() * vector; }
   };
 
   static void make_set(std::vector<Index>& indices)

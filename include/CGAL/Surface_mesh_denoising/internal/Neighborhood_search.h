@@ -129,7 +129,6 @@ public:
   const std::vector<Neighbor>& operator()(const Face seed, const std::size_t n, const GoesOn& goes_on)
   {
     reserve(n);
-    m_is_ended = false;
     m_seed_normal = m_dual.normal(seed);
     m_neighborhood.clear();
     m_nodes.clear();
@@ -141,7 +140,7 @@ public:
       = boost::make_iterator_property_map(m_distances.begin(), boost::typed_identity_property_map<Local_index>());
     boost::dijkstra_shortest_paths_no_color_map_no_init(
       View{this}, start, boost::dummy_property_map(), distance_map, Weight_map(),
-      boost::typed_identity_property_map<Local_index>(), Nearer{this}, std::plus<double>(),
+      boost::typed_identity_property_map<Local_index>(), std::less<double>(), std::plus<double>(),
       (std::numeric_limits<double>::max)(), 0., Visitor<GoesOn>(this, goes_on));
     return m_neighborhood;
   }
@@ -157,10 +156,11 @@ public:
     typedef const edge_descriptor*               out_edge_iterator;
     typedef boost::directed_tag                  directed_category;
     typedef boost::disallow_parallel_edge_tag    edge_parallel_category;
-    typedef boost::incidence_graph_tag           traversal_category;
     typedef std::size_t                          vertices_size_type;
     typedef std::size_t                          edges_size_type;
     typedef std::size_t                          degree_size_type;
+    // of a VertexListGraph only the number of vertices is used: Boost's heap then keeps its indices in one array
+    struct traversal_category : boost::incidence_graph_tag, boost::vertex_list_graph_tag {};
 
     typedef std::pair<out_edge_iterator, out_edge_iterator> Edge_range;
 
@@ -192,13 +192,6 @@ private:
     friend double get(const Weight_map&, const Edge& e) { return e.weight; }
   };
 
-  // Boost ends a search when the nearest node is not nearer than infinity: nothing is, once enough faces are found
-  struct Nearer
-  {
-    const Neighborhood_search* search;
-    bool operator()(const double a, const double b) const { return a < b && !search->is_complete(); }
-  };
-
   template <typename GoesOn>
   struct Visitor : boost::dijkstra_visitor<>
   {
@@ -208,7 +201,9 @@ private:
     void examine_vertex(const Local_index u, const View&) const
     {
       search->settle(u);
-      search->m_is_ended = !(*goes_on)(search->m_neighborhood.back()) || search->m_is_ended;
+      // Boost ends a search when the nearest node is not nearer than infinity
+      if(!(*goes_on)(search->m_neighborhood.back()) || search->m_neighborhood.size() == search->m_size)
+        search->m_distances[u] = (std::numeric_limits<double>::max)();
     }
   };
 
@@ -233,8 +228,6 @@ private:
     m_neighborhood.reserve(n);
     m_numbering.reserve(max_number_of_nodes);
   }
-
-  bool is_complete() const { return m_is_ended || m_neighborhood.size() == m_size; }
 
   void settle(const Local_index u)
   {
@@ -276,7 +269,6 @@ private:
 
   const DualGraph& m_dual;
   std::size_t m_size = 0;
-  bool m_is_ended = false;
   Vector_3 m_seed_normal;
   std::vector<Neighbor> m_neighborhood;
   std::vector<Node> m_nodes;

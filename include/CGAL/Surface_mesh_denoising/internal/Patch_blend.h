@@ -23,8 +23,8 @@
 
 #include <CGAL/tags.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
@@ -107,7 +107,7 @@ public:
       matrix /= s.weight;
       const Eigen::Vector3d residual = to_eigen(s.rhs) / s.weight - matrix * to_eigen(points[v] - m_observed[v]);
       matrix.diagonal().array() += m_parameters.tangential_weight;
-      const Eigen::Vector3d d = matrix.llt().solve(residual);
+      const Eigen::Vector3d d = matrix.inverse() * residual;
       if(d.allFinite())
         points[v] = points[v] + Vector_3(d[0], d[1], d[2]);
     });

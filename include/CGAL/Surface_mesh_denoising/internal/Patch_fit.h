@@ -122,7 +122,7 @@ public:
   void insert(const double u, const double v, const double height, const double pilot_height)
   {
     const Vector m = Patch_surface::monomials(u, v);
-    m_matrix.selfadjointView<Eigen::Lower>().rankUpdate(m);
+    m_matrix.noalias() += m * m.transpose();
     m_rhs += height * m;
     m_pilot_rhs += pilot_height * m;
     m_squared_pilot_heights += pilot_height * pilot_height;
@@ -190,8 +190,7 @@ public:
     // The misfit to the pilot, less what the noise that the pilot holds would explain with some certainty, is bias
     const double n = double(m_number_of_points);
     const double pilot_variance = m_pilot_error.noise * m_pilot_error.noise * m_squared_noise;
-    const double misfit = m_squared_pilot_heights - 2 * c.dot(m_pilot_rhs)
-                        + c.dot(m_matrix.selfadjointView<Eigen::Lower>() * c);
+    const double misfit = m_squared_pilot_heights - 2 * c.dot(m_pilot_rhs) + c.dot(m_matrix * c);
     const double explained
       = pilot_variance * (n - std::sqrt(2 * m_pilot_error.correlation * n));
     const double squared_bias = (std::max)(0., misfit - explained) / n;
@@ -213,8 +212,7 @@ public:
     }
     else if(number_of_coefficients == 4)
     {
-      const Eigen::Matrix4d matrix
-        = cylinder_basis.transpose() * (m_matrix.selfadjointView<Eigen::Lower>() * cylinder_basis);
+      const Eigen::Matrix4d matrix = cylinder_basis.transpose() * (m_matrix * cylinder_basis);
       m_best.covariance = cylinder_basis * matrix.llt().solve(Eigen::Matrix<double, 4, 6>(cylinder_basis.transpose()));
     }
     else
@@ -245,7 +243,7 @@ private:
   double m_hopeless_risk;
   double m_squared_noise;
 
-  Matrix m_matrix; // the lower triangle
+  Matrix m_matrix;
   Vector m_rhs, m_pilot_rhs;
   double m_squared_pilot_heights;
   std::size_t m_number_of_points;

@@ -59,7 +59,7 @@ inline double leave_one_out_residual(const std::vector<Indexed_triangle_mesh::Po
     const Vector_3 d = (feet[i] - feet[0]) / radius;
     const double u = d * tangents[0], v = d * tangents[1];
     const Vector monomials = (Vector() << u*u, u*v, v*v, u, v, 1).finished();
-    matrix.selfadjointView<Eigen::Lower>().rankUpdate(monomials);
+    matrix.noalias() += monomials * monomials.transpose();
     rhs += ((points[i] - points[0]) * axis / radius) * monomials;
   }
   const Eigen::LLT<Matrix> llt(matrix);
