@@ -131,7 +131,8 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *   tell is much lower than the first estimate, which takes edges and small detail for noise. While most of them are detail, since
 *   large ones lie together and others are small, the level is lowered further; if that does not end, there is no noise. Where all
 *   seemed to be shape from the beginning, there is noise only if these distances are smaller than it seemed, and look like noise.
-* - The surface is offset until it encloses the <em>volume</em> that it did before, which noise leaves as it is, on average.
+* - The surface is offset towards the <em>volume</em> that it enclosed before, which noise leaves as it is, on average; what
+*   chance explains of the difference remains.
 * A mesh without noise comes back as it is, and so does one where fewer than 25 vertices may move, which tell nothing of noise.
 *
 * If any of the parameters of the iterative method is given, that method runs, with its other parameters at their defaults: each
@@ -239,7 +240,7 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *     \cgalParamDefault{`true`}
 *   \cgalParamNEnd
 *   \cgalParamNBegin{preserve_volume}
-*     \cgalParamDescription{Adaptive method: whether the surface is offset in the end to keep the volume.}
+*     \cgalParamDescription{Adaptive method: whether the surface is offset in the end to keep the volume, up to what chance explains.}
 *     \cgalParamType{Boolean}
 *     \cgalParamDefault{`true`}
 *   \cgalParamNEnd

@@ -136,8 +136,8 @@ public:
     if(m_parameters.unfold_faces)
       unfold_faces(mesh, observed, is_movable, neighbors);
     if(m_parameters.preserve_volume)
-      keep_volume<ConcurrencyTag>(mesh, given(), is_movable, m_noise,
-                                  m_parameters.volume_number_of_rounds);
+      keep_volume<ConcurrencyTag>(mesh, m_has_impulses ? observed : given(), is_movable, m_noise,
+                                  m_parameters.volume_penalty);
 
     return end();
   }

@@ -11,6 +11,7 @@
 #include <CGAL/license/Surface_mesh_denoising.h>
 
 #include <CGAL/Surface_mesh_denoising/Indexed_triangle_mesh.h>
+#include <CGAL/Surface_mesh_denoising/internal/mixing.h>
 #include <CGAL/Surface_mesh_denoising/internal/normals.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
 
@@ -45,12 +46,12 @@ double swept_volume(const Indexed_triangle_mesh& mesh, const std::vector<Indexed
   });
 }
 
-// Offsets the surface, by no more than the noise, until it encloses the volume that it did with the observed points.
-// That is a sum of products of three different points: noise that is independent from vertex to vertex leaves its
-// expectation as it was.
+// Offsets the surface, by no more than the noise, towards the volume that it enclosed with the observed points. That is a
+// sum of products of three different points: noise that is independent from vertex to vertex leaves its expectation
+// as it was, but not the volume itself. What the noise moves it by in the mean is no reason for an offset.
 template <typename ConcurrencyTag>
 void keep_volume(Indexed_triangle_mesh& mesh, const std::vector<Indexed_triangle_mesh::Point_3>& observed,
-                 const std::vector<bool>& is_movable, const double noise, const std::size_t number_of_rounds)
+                 const std::vector<bool>& is_movable, const double noise, const double penalty)
 {
   typedef Indexed_triangle_mesh::Index      Index;
   typedef Indexed_triangle_mesh::Point_3    Point_3;
@@ -58,31 +59,37 @@ void keep_volume(Indexed_triangle_mesh& mesh, const std::vector<Indexed_triangle
 
   std::vector<Vector_3> normals, vertex_normals;
   std::vector<double> areas;
-  std::vector<Point_3> points;
-  for(std::size_t round=0; round<number_of_rounds; ++round)
+  compute_face_normals<ConcurrencyTag>(mesh, normals, areas);
+  compute_vertex_normals<ConcurrencyTag>(mesh, normals, areas, vertex_normals);
+  const auto sum_of_movable = [&](const auto& value)
   {
-    compute_face_normals<ConcurrencyTag>(mesh, normals, areas);
-    compute_vertex_normals<ConcurrencyTag>(mesh, normals, areas, vertex_normals);
-    const double area = sum<ConcurrencyTag>(mesh.number_of_vertices(), [&](const std::size_t v)
-    {
-      Vector_3 a(0, 0, 0);
-      if(is_movable[v])
-        for(const Index f : mesh.faces_around_vertex(v))
-          a += areas[f] / 3 * normals[f];
-      return a * vertex_normals[v];
-    });
-    if(!(area > 0))
-      return;
-    const double wanted = swept_volume<ConcurrencyTag>(mesh, mesh.points(), observed) / area;
-    const double offset = (std::max)(-noise, (std::min)(wanted, noise));
-    points = mesh.points();
-    for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
-    {
-      if(is_movable[v])
-        points[v] = points[v] + offset * vertex_normals[v];
-    });
-    mesh.swap_points(points);
-  }
+    return sum<ConcurrencyTag>(mesh.number_of_vertices(), [&](const std::size_t v)
+    { return is_movable[v] ? value(v) : 0.; });
+  };
+  const double area = sum_of_movable([&](const std::size_t v)
+  {
+    Vector_3 a(0, 0, 0);
+    for(const Index f : mesh.faces_around_vertex(v))
+      a += areas[f] / 3 * normals[f];
+    return a * vertex_normals[v];
+  });
+  if(!(area > 0))
+    return;
+  const double wanted = swept_volume<ConcurrencyTag>(mesh, mesh.points(), observed) / area;
+  const double number = sum_of_movable([](std::size_t) { return 1.; });
+  const double mean_square = sum_of_movable([&](const std::size_t v)
+  {
+    const double residual = (observed[v] - mesh.point(v)) * vertex_normals[v];
+    return residual * residual;
+  }) / number;
+  const double offset = (std::max)(-noise, (std::min)(shrunk(wanted, number, mean_square, penalty), noise));
+  std::vector<Point_3> points(mesh.points());
+  for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
+  {
+    if(is_movable[v])
+      points[v] = points[v] + offset * vertex_normals[v];
+  });
+  mesh.swap_points(points);
 }
 
 } // namespace internal
