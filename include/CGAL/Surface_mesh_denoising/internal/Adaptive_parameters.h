@@ -189,7 +189,7 @@ struct Adaptive_parameters
   double unfolding_stiffness = 3000;            // how much more than areas distances from the surface count
   double unfolding_drag = 0.01;                 // and ways along it
 
-  double volume_penalty = 1;                    // how much less of an offset there is than chance explains, as above
+  double volume_penalty = 1;                    // how far the offset in the end keeps to zero
 };
 
 } // namespace internal

@@ -79,7 +79,8 @@ void average_over_neighbors(const Vertex_neighbors& neighbors, const std::size_t
   }
 }
 
-// `deviation` of a weight, less what chance explains (James and Stein). `square` is that of the points it rests on
+// `deviation`, of a weight or of an offset, less what chance explains (James and Stein). That has the variance
+// `squared_noise` / `square`; an offset rests on as many vertices as `square` says
 inline double shrunk(const double deviation, const double square, const double squared_noise, const double penalty)
 {
   const double squared_deviation = deviation * deviation;
