@@ -346,14 +346,16 @@ TEST(Adaptive_fitting, Volume_is_kept_beyond_chance)
   {
     double change = 0, change_by_noise = 0;
     for(const Model_generator model : {models::cube, models::cad_part, models::cut_sphere})
+    {
+      const Mesh truth = irregular_mesh(model, 1500);
       for(unsigned int seed=0; seed<4; ++seed)
       {
-        const Mesh truth = irregular_mesh(model, 1500);
         Mesh mesh = truth;
         SMD::add_noise(mesh, params::noise_level(0.5).noise_share(share).random_seed(seed));
         change_by_noise += std::abs(SMD::relative_volume_change(mesh, truth));
         change += std::abs(SMD::relative_volume_change(denoised(mesh), truth));
       }
+    }
     EXPECT_LT(change, 0.8 * change_by_noise) << "with noise at a share of " << share;
   }
 }

@@ -76,7 +76,7 @@ void keep_volume(Indexed_triangle_mesh& mesh, const std::vector<Indexed_triangle
   if(!(area > 0))
     return;
   const double wanted = swept_volume<ConcurrencyTag>(mesh, mesh.points(), observed) / area;
-  const double number = sum_of_movable([](std::size_t) { return 1.; });
+  const double number = double(std::count(is_movable.begin(), is_movable.end(), true));
   const double mean_square = sum_of_movable([&](const std::size_t v)
   {
     const double residual = (observed[v] - mesh.point(v)) * vertex_normals[v];
