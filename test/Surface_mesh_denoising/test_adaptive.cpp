@@ -662,6 +662,47 @@ TEST(Replace_turned_normals, Finds_the_face_that_is_turned)
   EXPECT_EQ(std::count_if(normals.begin(), normals.end(), is_down), 0);
 }
 
+// noise that hardly turns the other faces
+TEST(Steady_normals_of_low_faces, Low_faces_take_the_normals_around_them)
+{
+  Mesh mesh = plane();
+  const double noise = 0.01, low = 0.01;
+  std::mt19937 random(1);
+  for(const Vertex v : mesh.vertices())
+  {
+    const Point& p = mesh.point(v);
+    const double height = std::normal_distribution<double>(0, noise)(random);
+    mesh.point(v) = (p.x() == 30) ? Point(29 + low, p.y(), height) : Point(p.x(), p.y(), height);
+  }
+  const SMD::Indexed_triangle_mesh indexed = indexed_mesh(mesh);
+  std::vector<SMD::Indexed_triangle_mesh::Vector_3> normals;
+  std::vector<double> areas;
+  SMD::internal::compute_face_normals<CGAL::Sequential_tag>(indexed, normals, areas);
+  const auto mean_angle = [&](const bool of_low_faces)
+  {
+    double sum = 0;
+    std::size_t number = 0;
+    for(std::size_t f=0; f<normals.size(); ++f)
+      if((areas[f] < 0.1) == of_low_faces)
+      {
+        sum += std::acos((std::min)(normals[f].z(), 1.)) * 180 / CGAL_PI;
+        ++number;
+      }
+    return sum / double(number);
+  };
+  const double angle_of_low_faces = mean_angle(true), angle_of_others = mean_angle(false);
+  EXPECT_GT(angle_of_low_faces, 30);
+
+  const auto before = normals;
+  SMD::internal::steady_normals_of_low_faces<CGAL::Sequential_tag>(indexed, areas, 0, 3, normals);
+  for(std::size_t f=0; f<normals.size(); ++f)
+    EXPECT_GT(normals[f] * before[f], 1 - 1e-12);
+
+  SMD::internal::steady_normals_of_low_faces<CGAL::Sequential_tag>(indexed, areas, 3 * noise, 3, normals);
+  EXPECT_LT(mean_angle(true), 0.35 * angle_of_low_faces);
+  EXPECT_LT(mean_angle(false), angle_of_others);
+}
+
 // what a linear path starts from, and refers to
 struct Linear_path_input
 {

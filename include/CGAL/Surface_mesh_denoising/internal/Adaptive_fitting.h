@@ -505,6 +505,8 @@ private:
     std::vector<Vector_3> mixed_normals;
     std::vector<double> areas;
     compute_face_normals<ConcurrencyTag>(mesh, mixed_normals, areas);
+    steady_normals_of_low_faces<ConcurrencyTag>(mesh, areas, m_parameters.mixed_error * m_noise,
+                                                m_parameters.number_of_normal_averages, mixed_normals);
     replace_turned_normals<ConcurrencyTag>(mesh, areas, m_parameters.agreement, mixed_normals);
     for_each_index<ConcurrencyTag>(mesh.number_of_faces(), [&](const std::size_t f)
     {

@@ -179,6 +179,48 @@ void replace_turned_normals(const Indexed_triangle_mesh& mesh, const std::vector
   normals.swap(replaced);
 }
 
+// Points that are off by `error` turn a face the further, the lower it is: the normal of a low face becomes a mean with those
+// across its edges, each of which has so much of its own normal as the squares of height and error tell. More averages
+// reach through rows of low faces
+template <typename ConcurrencyTag>
+void steady_normals_of_low_faces(const Indexed_triangle_mesh& mesh, const std::vector<double>& areas, const double error,
+                                 const std::size_t number_of_averages,
+                                 std::vector<Indexed_triangle_mesh::Vector_3>& normals)
+{
+  typedef Indexed_triangle_mesh::Index      Index;
+  typedef Indexed_triangle_mesh::Vector_3   Vector_3;
+
+  std::vector<double> shares(normals.size());
+  for_each_index<ConcurrencyTag>(shares.size(), [&](const std::size_t f)
+  {
+    const double longest_edge = mesh.longest_edge_length(f);
+    const double height = (longest_edge > 0) ? 2 * areas[f] / longest_edge : 0;
+    shares[f] = (height > 0) ? height * height / (height * height + error * error) : 0;
+  });
+  const std::vector<Vector_3> own = normals;
+  std::vector<Vector_3> averaged(normals.size());
+  for(std::size_t k=0; k<number_of_averages; ++k)
+  {
+    for_each_index<ConcurrencyTag>(normals.size(), [&](const std::size_t f)
+    {
+      const std::array<Index, 3>& t = mesh.vertices(f);
+      Vector_3 sum(0, 0, 0);
+      for(int i=0; i<3; ++i)
+      {
+        const Index g = mesh.neighbors(f)[i];
+        if(g == Indexed_triangle_mesh::null_index())
+          continue;
+        const double length = std::sqrt(squared_distance(mesh.point(t[i]), mesh.point(t[(i+1)%3])));
+        // the first average has nothing better than the own normals of neighbors, low or not
+        sum += (k == 0 ? shares[g] : 1.) * length * normals[g];
+      }
+      const Vector_3 around = normalized_or(sum, normals[f]);
+      averaged[f] = normalized_or(shares[f] * own[f] + (1 - shares[f]) * around, normals[f]);
+    });
+    normals.swap(averaged);
+  }
+}
+
 // for each face the mean of the normals of its vertices
 template <typename ConcurrencyTag>
 void average_vertex_normals(const Indexed_triangle_mesh& mesh,
