@@ -152,8 +152,9 @@ struct Adaptive_parameters
   double adaptation_factor = 1.5;               // of what leverages have beyond, where noise is this or more,
   double full_adaptation_noise = 0.2;           // in the lengths of the edges there,
   double least_adaptation = 0.5;                // and the less the weaker it is, down to this share
-  double mixed_error = 0.3;                     // what is left of the noise in the mixed points, times noise: low faces there
-  std::size_t number_of_normal_averages = 3;    // take the normals around, by so many averages
+  // Faces that are low beside what is left of the noise in the mixed points take the normals around them.
+  double mixed_error = 0.3;                     // times noise
+  std::size_t number_of_normal_averages = 3;
 
   // Reassignment of faces
   double reassignment_edge_cosine = 0.8;        // that of the least angle of an edge,

@@ -179,9 +179,8 @@ void replace_turned_normals(const Indexed_triangle_mesh& mesh, const std::vector
   normals.swap(replaced);
 }
 
-// Points that are off by `error` turn a face the further, the lower it is: the normal of a low face becomes a mean with those
-// across its edges, each of which has so much of its own normal as the squares of height and error tell. More averages
-// reach through rows of low faces
+// Points that are off by `error` turn a face the further, the lower it is. So a face takes the normal of the faces across its
+// edges, but for a share of its own that grows with its height. More averages reach through rows of low faces
 template <typename ConcurrencyTag>
 void steady_normals_of_low_faces(const Indexed_triangle_mesh& mesh, const std::vector<double>& areas, const double error,
                                  const std::size_t number_of_averages,
@@ -195,7 +194,7 @@ void steady_normals_of_low_faces(const Indexed_triangle_mesh& mesh, const std::v
   {
     const double longest_edge = mesh.longest_edge_length(f);
     const double height = (longest_edge > 0) ? 2 * areas[f] / longest_edge : 0;
-    shares[f] = (height > 0) ? height * height / (height * height + error * error) : 0;
+    shares[f] = (height > 0) ? 1 / (1 + std::pow(error / height, 2)) : 0;
   });
   const std::vector<Vector_3> own = normals;
   std::vector<Vector_3> averaged(normals.size());
@@ -211,7 +210,7 @@ void steady_normals_of_low_faces(const Indexed_triangle_mesh& mesh, const std::v
         if(g == Indexed_triangle_mesh::null_index())
           continue;
         const double length = std::sqrt(squared_distance(mesh.point(t[i]), mesh.point(t[(i+1)%3])));
-        // the first average has nothing better than the own normals of neighbors, low or not
+        // those of low faces are their own until they have been averaged
         sum += (k == 0 ? shares[g] : 1.) * length * normals[g];
       }
       const Vector_3 around = normalized_or(sum, normals[f]);
