@@ -179,6 +179,13 @@ void replace_turned_normals(const Indexed_triangle_mesh& mesh, const std::vector
   normals.swap(replaced);
 }
 
+// the distance of the longest edge of face `f` from the vertex opposite to it
+inline double height_of_face(const Indexed_triangle_mesh& mesh, const std::size_t f, const std::vector<double>& areas)
+{
+  const double longest_edge = mesh.longest_edge_length(f);
+  return (longest_edge > 0) ? 2 * areas[f] / longest_edge : 0;
+}
+
 // Points that are off by `error` turn a face the further, the lower it is. So a face takes the normal of the faces across its
 // edges, but for a share of its own that grows with its height. More averages reach through rows of low faces
 template <typename ConcurrencyTag>
@@ -192,8 +199,7 @@ void steady_normals_of_low_faces(const Indexed_triangle_mesh& mesh, const std::v
   std::vector<double> shares(normals.size());
   for_each_index<ConcurrencyTag>(shares.size(), [&](const std::size_t f)
   {
-    const double longest_edge = mesh.longest_edge_length(f);
-    const double height = (longest_edge > 0) ? 2 * areas[f] / longest_edge : 0;
+    const double height = height_of_face(mesh, f, areas);
     shares[f] = (height > 0) ? 1 / (1 + std::pow(error / height, 2)) : 0;
   });
   const std::vector<Vector_3> own = normals;
@@ -202,16 +208,14 @@ void steady_normals_of_low_faces(const Indexed_triangle_mesh& mesh, const std::v
   {
     for_each_index<ConcurrencyTag>(normals.size(), [&](const std::size_t f)
     {
-      const std::array<Index, 3>& t = mesh.vertices(f);
       Vector_3 sum(0, 0, 0);
       for(int i=0; i<3; ++i)
       {
         const Index g = mesh.neighbors(f)[i];
         if(g == Indexed_triangle_mesh::null_index())
           continue;
-        const double length = std::sqrt(squared_distance(mesh.point(t[i]), mesh.point(t[(i+1)%3])));
         // those of low faces are their own until they have been averaged
-        sum += (k == 0 ? shares[g] : 1.) * length * normals[g];
+        sum += (k == 0 ? shares[g] : 1.) * mesh.edge_length(f, i) * normals[g];
       }
       const Vector_3 around = normalized_or(sum, normals[f]);
       averaged[f] = normalized_or(shares[f] * own[f] + (1 - shares[f]) * around, normals[f]);

@@ -63,10 +63,9 @@ Tangential_noise_ratio tangential_noise_ratio(const Indexed_triangle_mesh& mesh,
     counts[f] = Counts{ false, false, 0 };
     if(!around.agree(parameters.agreement))
       return;
-    const double longest_edge = mesh.longest_edge_length(f);
     // A face turns when a vertex passes the opposite edge: their distance changes by a vertex's own noise and
     // about half of that of the edge's
-    const double height = (longest_edge > 0) ? 2 * areas[f] / longest_edge : 0;
+    const double height = height_of_face(mesh, f, areas);
     counts[f].is_known = true;
     counts[f].is_turned = area_vector(mesh, f, observed) * around.area_vector < 0;
     counts[f].expected = 0.5 * std::erfc(height / (std::sqrt(2 * 1.5) * noise));
