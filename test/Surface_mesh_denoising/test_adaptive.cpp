@@ -1323,18 +1323,65 @@ TEST(Adaptive_fitting, Normals_are_those_of_the_result)
 
 // ---- bad and small meshes
 
+// a rough letter C with plane walls, of four vertices for each of `n` + 1 radii
+Mesh rough_letter(const int n)
+{
+  Mesh mesh;
+  for(int i=0; i<=n; ++i)
+    for(const double radius : {1 - 0.1 * (i % 3), 1.4 + 0.15 * (i % 2)})
+      for(const double z : {0., 0.3})
+      {
+        const double angle = 5. * i / n;
+        mesh.add_vertex(Point(radius * std::cos(angle), radius * std::sin(angle), z));
+      }
+  const auto add_quad = [&](const int a, const int b, const int c, const int d)
+  {
+    mesh.add_face(Vertex(a), Vertex(b), Vertex(c));
+    mesh.add_face(Vertex(a), Vertex(c), Vertex(d));
+  };
+  for(int i=0; i<4*n; i+=4)
+  {
+    add_quad(i, i+4, i+6, i+2);     // bottom
+    add_quad(i+3, i+7, i+5, i+1);   // top
+    add_quad(i, i+1, i+5, i+4);     // inside
+    add_quad(i+2, i+6, i+7, i+3);   // outside
+  }
+  add_quad(0, 2, 3, 1);
+  add_quad(4*n, 4*n+1, 4*n+3, 4*n+2);
+  return mesh;
+}
+
 TEST(Adaptive_fitting, Meshes_of_few_vertices_come_back)
 {
-  for(const double noise : {0., 0.2})
+  Mesh icosahedron;
+  CGAL::make_icosahedron(icosahedron, Point(0, 0, 0), 1.);
+  for(const Mesh& model : {icosahedron, rough_letter(10)})
+    for(const double noise : {0., 0.2})
+    {
+      const Mesh mesh = (noise > 0) ? with_noise(model, noise) : model;
+      ASSERT_LT(num_vertices(mesh), 50);
+      EXPECT_EQ(points_of(denoised(mesh)), points_of(mesh));
+      EXPECT_EQ(SMD::estimate_noise_level(mesh), 0);
+      // but not if the level is known
+      EXPECT_NE(points_of(denoised(mesh, params::noise_level(0.2))), points_of(mesh));
+    }
+}
+
+// however coarse it is: noise leaves no planes
+TEST(Adaptive_fitting, Small_meshes_of_planes_come_back)
+{
+  for(const int n : {12, 20, 40})
   {
-    Mesh mesh;
-    CGAL::make_icosahedron(mesh, Point(0, 0, 0), 1.);
-    if(noise > 0)
-      mesh = with_noise(mesh, noise);
-    EXPECT_EQ(points_of(denoised(mesh)), points_of(mesh));
-    EXPECT_EQ(SMD::estimate_noise_level(mesh), 0);
-    // but not if the level is known
-    EXPECT_NE(points_of(denoised(mesh, params::noise_level(0.2))), points_of(mesh));
+    Mesh mesh = rough_letter(n);
+    ASSERT_TRUE(CGAL::is_closed(mesh));
+    EXPECT_GT(SMD::estimate_noise_level(with_noise(mesh, 0.2)), 0.1);
+    for(const bool is_moved : {false, true})
+    {
+      if(is_moved)
+        PMP::transform(rotation_and_shift(), mesh);
+      EXPECT_EQ(points_of(denoised(mesh)), points_of(mesh));
+      EXPECT_EQ(SMD::estimate_noise_level(mesh), 0);
+    }
   }
 }
 

@@ -733,8 +733,9 @@ TEST(Bad_input, Point_maps_that_throw_at_any_access)
 {
   for(const bool writes_before_it_throws : { false, true })
   {
+    // the few vertices would tell no level
     expect_points_as_before(writes_before_it_throws, [](Mesh& mesh, const auto& np)
-                            { SMD::denoise_anisotropic_fitting(mesh, np); });
+                            { SMD::denoise_anisotropic_fitting(mesh, np.noise_level(0.1)); });
     expect_points_as_before(writes_before_it_throws, [](Mesh& mesh, const auto& np)
                             { SMD::denoise_anisotropic_fitting(mesh, np.number_of_iterations(3)); });
     expect_points_as_before(writes_before_it_throws, [](Mesh& mesh, const auto& np)

@@ -133,7 +133,7 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *   seemed to be shape from the beginning, there is noise only if these distances are smaller than it seemed, and look like noise.
 * - The surface is offset towards the <em>volume</em> that it enclosed before, which noise leaves as it is, on average; what
 *   chance explains of the difference remains.
-* A mesh without noise comes back as it is, and so does one where fewer than 25 vertices may move, which tell nothing of noise.
+* A mesh without noise comes back as it is, and so does one where fewer than 50 vertices may move, which tell too little of noise.
 *
 * If any of the parameters of the iterative method is given, that method runs, with its other parameters at their defaults: each
 * iteration filters the face normals; finds for each vertex the faces around it that lie on the same side of the

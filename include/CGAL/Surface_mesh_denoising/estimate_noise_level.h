@@ -32,8 +32,8 @@ namespace Surface_mesh_denoising {
 * mean edge lengths, and far less in some parts of the mesh than in others, counts as detail, and the level is zero. So it is up to 0.15
 * mean edge lengths if neighbors stand out together even in the smoothest third of the mesh, where those of noise alone tend to
 * opposite sides. A coarse mesh full of detail may still pass for a noisy one, and weak noise on such a mesh, or on one with edges, up
-* to about 0.05 mean edge lengths, for detail. `denoise_anisotropic_fitting()` knows more of it in the end. Fewer than 25 vertices tell
-* nothing: the level is zero.
+* to about 0.05 mean edge lengths, for detail. `denoise_anisotropic_fitting()` knows more of it in the end. Fewer than 50 vertices tell
+* too little, and fewer than 300 have no noise if each belongs to a face that lies in one plane with a neighbor: the level is zero.
 *
 * The noise is taken to be independent from vertex to vertex. That of a scanner need not be: noise that neighboring vertices have
 * in common looks like shape, and the level comes out too low. Impulses that spare most vertices go unnoticed as well.

@@ -339,6 +339,31 @@ double noise_level_of_residuals(const Vertex_neighbors& neighbors, const std::ve
   }
 }
 
+// Whether each vertex that counts belongs to a face that lies in one plane with a neighbor. Noise leaves hardly any face like that
+template <typename ConcurrencyTag>
+bool is_made_of_planes(const Indexed_triangle_mesh& mesh, const std::vector<bool>& counts)
+{
+  typedef Indexed_triangle_mesh::Index      Index;
+  typedef Indexed_triangle_mesh::Vector_3   Vector_3;
+
+  const double largest_angle = 1e-3; // room for coordinates that are rounded, no more than noise of that many edge lengths
+
+  std::vector<Vector_3> normals;
+  std::vector<double> areas;
+  compute_face_normals<ConcurrencyTag>(mesh, normals, areas);
+  std::vector<bool> lies_in_plane(mesh.number_of_vertices(), false);
+  for(std::size_t f=0; f<normals.size(); ++f)
+    for(const Index g : mesh.neighbors(f))
+      if(g != Indexed_triangle_mesh::null_index() && areas[f] > 0 && areas[g] > 0
+         && cross_product(normals[f], normals[g]).squared_length() < largest_angle * largest_angle)
+        for(const Index v : mesh.vertices(f))
+          lies_in_plane[v] = true;
+  for(std::size_t v=0; v<counts.size(); ++v)
+    if(counts[v] && !lies_in_plane[v])
+      return false;
+  return true;
+}
+
 struct Noise_estimate
 {
   double level;       // the standard deviation along the normals, in the unit of the coordinates
@@ -352,11 +377,14 @@ Noise_estimate estimate_noise(Indexed_triangle_mesh& mesh, const double mean_edg
 {
   typedef Indexed_triangle_mesh::Point_3 Point_3;
 
-  const std::ptrdiff_t least_number_of_vertices = 25;
+  const std::ptrdiff_t least_number_of_vertices = 50;
+  const std::ptrdiff_t sure_number_of_vertices = 300; // with fewer, a coarse shape may look like noise
   const double strong_noise = 0.2; // mean edge lengths
   const std::size_t number_of_averages = 8;
 
-  if(std::count(counts.begin(), counts.end(), true) < least_number_of_vertices)
+  const std::ptrdiff_t number = std::count(counts.begin(), counts.end(), true);
+  if(number < least_number_of_vertices
+     || (number < sure_number_of_vertices && is_made_of_planes<ConcurrencyTag>(mesh, counts)))
     return { 0, false };
   std::vector<double> residuals = leave_one_out_residuals<ConcurrencyTag>(mesh, mesh.points(), neighbors);
   const double level = noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, residuals);
