@@ -685,7 +685,7 @@ TEST(Steady_normals_of_low_faces, Low_faces_take_the_normals_around_them)
     for(std::size_t f=0; f<normals.size(); ++f)
       if((areas[f] < 0.1) == of_low_faces)
       {
-        sum += angle_between(Vector(normals[f].x(), normals[f].y(), normals[f].z()), Vector(0, 0, 1));
+        sum += angle_between(normals[f], Vector(0, 0, 1));
         ++number;
       }
     return sum / double(number);

@@ -378,7 +378,8 @@ Noise_estimate estimate_noise(Indexed_triangle_mesh& mesh, const double mean_edg
   typedef Indexed_triangle_mesh::Point_3 Point_3;
 
   const std::ptrdiff_t least_number_of_vertices = 50;
-  const std::ptrdiff_t sure_number_of_vertices = 300; // with fewer, a coarse shape may look like noise
+  // With fewer, a coarse shape may look like noise. With more, residuals tell it, and planes may be the faces of voxels
+  const std::ptrdiff_t sure_number_of_vertices = 300;
   const double strong_noise = 0.2; // mean edge lengths
   const std::size_t number_of_averages = 8;
 
