@@ -184,7 +184,8 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *   \cgalParamNEnd
 *   \cgalParamNBegin{use_adaptive_degree}
 *     \cgalParamDescription{Adaptive method: whether a patch is a plane or a parabolic cylinder where that fits as well as a quadratic
-*                           surface. If not, all are quadratic surfaces where the points determine one.}
+*                           surface, and a cubic surface where only that fits. If not, all are quadratic surfaces where the
+*                           points determine one.}
 *     \cgalParamType{Boolean}
 *     \cgalParamDefault{`true`}
 *   \cgalParamNEnd

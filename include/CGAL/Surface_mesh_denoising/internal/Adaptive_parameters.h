@@ -29,6 +29,7 @@ struct Patch_effort
 {
   double hopeless_risk; // a patch stops growing when its risk is so many times the least
   double core_share;    // the share of the faces of a patch that need none of their own
+  bool has_cubics;      // beside planes, cylinders and quadrics
 };
 
 // All constants of adaptive fitting. Lengths are in mean edge lengths; `noise` stands for the noise level in mean edge
@@ -130,11 +131,14 @@ struct Adaptive_parameters
   std::size_t least_number_of_points = 8;
   double patch_extent = 14;                     // a length of about the radius of a patch, in distances of centroids
   double cylinder_threshold = 8;                // a parabolic cylinder takes this gain in squared residuals over a plane, in
-  double quadric_threshold = 12;                // noise^2, and a quadric takes this
+  double quadric_threshold = 12;                // noise^2, and a quadric takes this;
+  double cubic_threshold = 40;                  // a cubic takes this gain over a quadric,
+  double largest_bias_of_cubic = 0.15;          // leaves no more than this share of the bias of simpler surfaces,
+  double least_pivot_of_cubic = 0.01;           // and of each cubic monomial those before it leave this share unexplained
   Pilot_error pilot_error = { 0.3, 6 };
   Pilot_error first_patches_error = { 0.15, 15 }; // where they are the pilot of the second ones
-  Patch_effort first_patches_effort = { 1.5, 0.35 };
-  Patch_effort last_patches_effort = { 2, 0.25 };
+  Patch_effort first_patches_effort = { 1.5, 0.35, false };
+  Patch_effort last_patches_effort = { 2, 0.25, true };
   std::size_t number_of_rounds = 8;             // in which seeds are chosen,
   std::size_t rings_around_first_seeds = 3;     // without another seed in so many rings, one less from round to round
   double tangential_weight = 0.01;              // holds a vertex in the directions that its patches leave free

@@ -50,45 +50,86 @@ struct Patch_frame
   double height(const Point_3& p) const { return (p - origin) * axis; }
 };
 
-// A surface h(u,v) = c0 + c1 u + c2 v + c3 u^2 + c4 uv + c5 v^2 over the plane of a patch, with the covariance of its
-// coefficients in units of the squared noise of the points
+// A surface h(u,v) = c0 + c1 u + c2 v + c3 u^2 + c4 uv + c5 v^2 over the plane of a patch, or a cubic one, which has the terms
+// c6 u^3 + c7 u^2 v + c8 u v^2 + c9 v^3, too, with the covariance of its coefficients in units of the squared noise of the points
 struct Patch_surface
 {
-  typedef Eigen::Matrix<double, 6, 1>       Vector;
+  typedef Eigen::Matrix<double, 6, 1>       Quadric_vector;
+  typedef Eigen::Matrix<double, 10, 1>      Vector;
+  typedef Eigen::Matrix<double, 10, 10>     Matrix;
   typedef Indexed_triangle_mesh::Vector_3   Vector_3;
 
   Vector coefficients = Vector::Zero();
-  Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
+  Matrix covariance = Matrix::Zero();
+  bool is_cubic = false;
   double risk = std::numeric_limits<double>::infinity(); // mean squared error expected
   double squared_bias = 0;                               // the share of it that is not noise
   std::size_t number_of_faces = 0, number_of_points = 0;
 
-  static Vector monomials(const double u, const double v) { return (Vector() << 1, u, v, u*u, u*v, v*v).finished(); }
+  // the first so many of 1, u, v, u^2, uv, v^2, u^3, and so on
+  template <int number>
+  static Eigen::Matrix<double, number, 1> monomials(const double u, const double v)
+  {
+    Eigen::Matrix<double, number, 1> m;
+    m[0] = 1;
+    for(int degree=1, k=1; k<number; ++degree)
+    {
+      for(int i=0; i<degree; ++i, ++k)
+        m[k] = u * m[k - degree];
+      m[k] = v * m[k - degree - 1];
+      ++k;
+    }
+    return m;
+  }
 
-  double height(const double u, const double v) const { return coefficients.dot(monomials(u, v)); }
+  double height(const double u, const double v) const { return is_cubic ? value<10>(u, v) : value<6>(u, v); }
 
   double variance_of_height(const double u, const double v) const
   {
-    const Vector m = monomials(u, v);
-    return m.dot(covariance * m);
+    return is_cubic ? variance<10>(monomials<10>(u, v)) : variance<6>(monomials<6>(u, v));
   }
 
   // the sum of the variances of the two slopes, in units of the extent
   double variance_of_slopes(const double u, const double v) const
   {
-    const Vector du = (Vector() << 0, 1, 0, 2*u, v, 0).finished(), dv = (Vector() << 0, 0, 1, 0, u, 2*v).finished();
-    return du.dot(covariance * du) + dv.dot(covariance * dv);
+    const Quadric_vector du = (Quadric_vector() << 0, 1, 0, 2*u, v, 0).finished(),
+                         dv = (Quadric_vector() << 0, 0, 1, 0, u, 2*v).finished();
+    if(!is_cubic)
+      return variance<6>(du) + variance<6>(dv);
+    return variance<10>((Vector() << du, 3*u*u, 2*u*v, v*v, 0).finished())
+         + variance<10>((Vector() << dv, 0, u*u, 2*u*v, 3*v*v).finished());
   }
 
   // a vector along the normal, whose component along the axis of the frame is one
   Vector_3 normal(const Patch_frame& frame, const double u, const double v) const
   {
     const Vector& c = coefficients;
-    return frame.axis - (c[1] + 2*c[3]*u + c[4]*v) * frame.tangents[0] - (c[2] + c[4]*u + 2*c[5]*v) * frame.tangents[1];
+    double slope_u = c[1] + 2*c[3]*u + c[4]*v, slope_v = c[2] + c[4]*u + 2*c[5]*v;
+    if(is_cubic)
+    {
+      slope_u += 3*c[6]*u*u + 2*c[7]*u*v + c[8]*v*v;
+      slope_v += c[7]*u*u + 2*c[8]*u*v + 3*c[9]*v*v;
+    }
+    return frame.axis - slope_u * frame.tangents[0] - slope_v * frame.tangents[1];
+  }
+
+private:
+  template <int number>
+  double value(const double u, const double v) const
+  {
+    return coefficients.head<number>().dot(monomials<number>(u, v));
+  }
+
+  // of the sum of the first coefficients times such factors
+  template <int number>
+  double variance(const Eigen::Matrix<double, number, 1>& factors) const
+  {
+    return factors.dot(covariance.topLeftCorner<number, number>() * factors);
   }
 };
 
-// Fits planes, parabolic cylinders and quadrics to a growing set of points, and keeps the one with the least risk.
+// Fits planes, parabolic cylinders, quadrics and, if asked to, cubics to a growing set of points, and keeps the one with the
+// least risk.
 //
 // Coefficients are those that fit the observed points best; what they are worth is told by the pilot's points, which
 // hold much less noise and so show sooner where the surface leaves the fit. They tell the axis of a cylinder, too, which
@@ -97,19 +138,21 @@ class Patch_fit
 {
   typedef Indexed_triangle_mesh::Point_3    Point_3;
   typedef Patch_surface::Vector             Vector;
-  typedef Eigen::Matrix<double, 6, 6>       Matrix;
+  typedef Patch_surface::Quadric_vector     Quadric_vector;
+  typedef Patch_surface::Matrix             Matrix;
+  typedef Eigen::Matrix<double, 6, 6>       Quadric_matrix;
   typedef Eigen::Matrix<double, 6, 4>       Matrix_6x4;
 
 public:
-  Patch_fit(const Adaptive_parameters& parameters, const Pilot_error& pilot_error, const double hopeless_risk,
+  Patch_fit(const Adaptive_parameters& parameters, const Pilot_error& pilot_error, const Patch_effort& effort,
             const double squared_noise)
-    : m_parameters(parameters), m_pilot_error(pilot_error), m_hopeless_risk(hopeless_risk),
-      m_squared_noise(squared_noise)
+    : m_parameters(parameters), m_pilot_error(pilot_error), m_hopeless_risk(effort.hopeless_risk),
+      m_has_cubics(effort.has_cubics && parameters.use_adaptive_degree), m_squared_noise(squared_noise)
   {}
 
   void clear()
   {
-    m_matrix.setZero();
+    m_moments.setZero();
     m_rhs.setZero();
     m_pilot_rhs.setZero();
     m_squared_pilot_heights = 0;
@@ -121,10 +164,10 @@ public:
 
   void insert(const double u, const double v, const double height, const double pilot_height)
   {
-    const Vector m = Patch_surface::monomials(u, v);
-    m_matrix.noalias() += m * m.transpose();
-    m_rhs += height * m;
-    m_pilot_rhs += pilot_height * m;
+    if(m_has_cubics)
+      add<10, 28>(u, v, height, pilot_height);
+    else
+      add<6, 15>(u, v, height, pilot_height);
     m_squared_pilot_heights += pilot_height * pilot_height;
     ++m_number_of_points;
   }
@@ -136,12 +179,13 @@ public:
       return true;
 
     // the leading block of the factor belongs to the plane
-    const Eigen::LLT<Matrix> llt(m_matrix);
+    const Quadric_matrix matrix = normal_matrix<6>();
+    const Eigen::LLT<Quadric_matrix> llt(matrix);
     const auto is_regular = [&](const int size)
     {
       // a pivot is the squared distance of a column from the span of those before it
       return (llt.matrixLLT().diagonal().head(size).array().square()
-              > 1e-8 * m_matrix.diagonal().head(size).array()).all();
+              > 1e-8 * matrix.diagonal().head(size).array()).all();
     };
     const bool has_quadric = llt.info() == Eigen::Success && is_regular(6);
     if(!has_quadric && !is_regular(3))
@@ -152,12 +196,13 @@ public:
       = plane_factor.triangularView<Eigen::Lower>().solve(Eigen::Vector3d(m_rhs.head<3>()));
 
     // what a curved surface explains more than a plane must be worth its further coefficients
-    Vector c = Vector::Zero();
+    Quadric_vector c = Quadric_vector::Zero();
     Matrix_6x4 cylinder_basis;
     std::size_t number_of_coefficients = 3;
     if(has_quadric)
     {
-      const Vector reduced = llt.matrixL().solve(m_rhs), pilot_reduced = llt.matrixL().solve(m_pilot_rhs);
+      const Quadric_vector reduced = llt.matrixL().solve(m_rhs.head<6>()),
+                           pilot_reduced = llt.matrixL().solve(m_pilot_rhs.head<6>());
       const Eigen::Vector3d quadric_reduced = reduced.tail<3>();
       const Eigen::Matrix3d factor = llt.matrixLLT().bottomRightCorner<3, 3>();
       const auto lower = factor.triangularView<Eigen::Lower>();
@@ -187,44 +232,116 @@ public:
     if(!c.allFinite())
       return true;
 
-    // The misfit to the pilot, less what the noise that the pilot holds would explain with some certainty, is bias
-    const double n = double(m_number_of_points);
-    const double pilot_variance = m_pilot_error.noise * m_pilot_error.noise * m_squared_noise;
-    const double misfit = m_squared_pilot_heights - 2 * c.dot(m_pilot_rhs) + c.dot(m_matrix * c);
-    const double explained
-      = pilot_variance * (n - std::sqrt(2 * m_pilot_error.correlation * n));
-    const double squared_bias = (std::max)(0., misfit - explained) / n;
-    const double risk = squared_bias + double(number_of_coefficients) * m_squared_noise / n;
-    if(!(risk < m_best.risk))
-      return risk <= m_hopeless_risk * m_best.risk;
+    const Risk risk = risk_of(m_squared_pilot_heights - 2 * c.dot(m_pilot_rhs.head<6>()) + c.dot(matrix * c),
+                              number_of_coefficients);
+    // four more coefficients must have some bias to take away
+    if(m_has_cubics && has_quadric && risk.squared_bias > 4 * m_squared_noise / double(m_number_of_points)
+       && update_by_cubic(number_of_faces, risk))
+      return true;
+    if(!(risk.total < m_best.risk))
+      return risk.total <= m_hopeless_risk * m_best.risk;
 
-    m_best.coefficients = c;
-    m_best.risk = risk;
-    m_best.squared_bias = squared_bias;
-    m_best.number_of_faces = number_of_faces;
-    m_best.number_of_points = m_number_of_points;
-    m_best.covariance.setZero();
+    keep(risk, number_of_faces);
+    m_best.coefficients.head<6>() = c;
+    m_best.coefficients.tail<4>().setZero();
+    m_best.is_cubic = false;
+    auto covariance = m_best.covariance.topLeftCorner<6, 6>();
+    covariance.setZero();
     if(number_of_coefficients == 3)
     {
       Eigen::Matrix3d inverse = Eigen::Matrix3d::Identity();
       plane_factor.triangularView<Eigen::Lower>().solveInPlace(inverse);
-      m_best.covariance.topLeftCorner<3, 3>() = inverse.transpose() * inverse;
+      covariance.topLeftCorner<3, 3>() = inverse.transpose() * inverse;
     }
     else if(number_of_coefficients == 4)
     {
-      const Eigen::Matrix4d matrix = cylinder_basis.transpose() * (m_matrix * cylinder_basis);
-      m_best.covariance = cylinder_basis * matrix.llt().solve(Eigen::Matrix<double, 4, 6>(cylinder_basis.transpose()));
+      const Eigen::Matrix4d cylinder_matrix = cylinder_basis.transpose() * (matrix * cylinder_basis);
+      covariance = cylinder_basis * cylinder_matrix.llt().solve(Eigen::Matrix<double, 4, 6>(cylinder_basis.transpose()));
     }
     else
     {
-      Matrix inverse = Matrix::Identity();
+      Quadric_matrix inverse = Quadric_matrix::Identity();
       llt.matrixL().solveInPlace(inverse);
-      m_best.covariance = inverse.transpose() * inverse;
+      covariance = inverse.transpose() * inverse;
     }
     return true;
   }
 
 private:
+  template <int number, int number_of_moments>
+  void add(const double u, const double v, const double height, const double pilot_height)
+  {
+    const auto m = Patch_surface::monomials<number_of_moments>(u, v);
+    m_moments.head<number_of_moments>() += m;
+    m_rhs.head<number>() += height * m.template head<number>();
+    m_pilot_rhs.head<number>() += pilot_height * m.template head<number>();
+  }
+
+  // that of the first so many coefficients: the sums of the products of each two monomials, which are monomials, too
+  template <int number>
+  Eigen::Matrix<double, number, number> normal_matrix() const
+  {
+    const std::array<int, 10> degrees = {{ 0, 1, 1, 2, 2, 2, 3, 3, 3, 3 }};
+    Eigen::Matrix<double, number, number> matrix;
+    for(int k=0; k<number; ++k)
+      for(int l=0; l<number; ++l)
+        matrix(k, l) = m_moments[k + l + degrees[k] * degrees[l]];
+    return matrix;
+  }
+
+  struct Risk
+  {
+    double total, squared_bias;
+  };
+
+  // The misfit to the pilot, less what the noise that the pilot holds would explain with some certainty, is bias
+  Risk risk_of(const double misfit, const std::size_t number_of_coefficients) const
+  {
+    const double n = double(m_number_of_points);
+    const double pilot_variance = m_pilot_error.noise * m_pilot_error.noise * m_squared_noise;
+    const double explained = pilot_variance * (n - std::sqrt(2 * m_pilot_error.correlation * n));
+    const double squared_bias = (std::max)(0., misfit - explained) / n;
+    return { squared_bias + double(number_of_coefficients) * m_squared_noise / n, squared_bias };
+  }
+
+  // what the best surface is to be, but for its coefficients
+  void keep(const Risk& risk, const std::size_t number_of_faces)
+  {
+    m_best.risk = risk.total;
+    m_best.squared_bias = risk.squared_bias;
+    m_best.number_of_faces = number_of_faces;
+    m_best.number_of_points = m_number_of_points;
+  }
+
+  // Keeps a cubic if it is better than all before and the best of the other surfaces that fit these points, whose risk is
+  // given, and returns whether it did. Its slopes must be known everywhere, which they are not on a strip, and it must take
+  // most of the bias away, which it does where the shape is smooth, but not across an edge
+  bool update_by_cubic(const std::size_t number_of_faces, const Risk& other_risk)
+  {
+    const Matrix matrix = normal_matrix<10>();
+    const Eigen::LLT<Matrix> llt(matrix);
+    if(llt.info() != Eigen::Success
+       || (llt.matrixLLT().diagonal().tail<4>().array().square()
+           < m_parameters.least_pivot_of_cubic * matrix.diagonal().tail<4>().array()).any())
+      return false;
+    const Vector reduced = llt.matrixL().solve(m_rhs);
+    if(worth(reduced.tail<4>().squaredNorm(), m_parameters.cubic_threshold) < 0)
+      return false;
+    const Vector c = llt.matrixU().solve(reduced);
+    const Risk risk = risk_of(m_squared_pilot_heights - 2 * c.dot(m_pilot_rhs) + c.dot(matrix * c), 10);
+    if(!(risk.total < (std::min)(m_best.risk, other_risk.total))
+       || !(risk.squared_bias <= m_parameters.largest_bias_of_cubic * other_risk.squared_bias) || !c.allFinite())
+      return false;
+
+    keep(risk, number_of_faces);
+    m_best.coefficients = c;
+    m_best.is_cubic = true;
+    Matrix inverse = Matrix::Identity();
+    llt.matrixL().solveInPlace(inverse);
+    m_best.covariance.noalias() = inverse.transpose() * inverse;
+    return true;
+  }
+
   // The part c3 u^2 + c4 uv + c5 v^2 of a parabolic cylinder with second derivative two, bent the way where the given one
   // bends most
   static Eigen::Vector3d bend_of_cylinder(const Eigen::Vector3d& c)
@@ -241,9 +358,11 @@ private:
   const Adaptive_parameters& m_parameters;
   Pilot_error m_pilot_error;
   double m_hopeless_risk;
+  bool m_has_cubics;
   double m_squared_noise;
 
-  Matrix m_matrix;
+  // sums over the points; without cubics, of the monomials that quadrics need
+  Eigen::Matrix<double, 28, 1> m_moments;
   Vector m_rhs, m_pilot_rhs;
   double m_squared_pilot_heights;
   std::size_t m_number_of_points;
