@@ -210,8 +210,8 @@ private:
     }
     const std::array<double, 2>& ratios = m_parameters.normal_noise_ratios;
     const double certainty = m_parameters.remove_tangential_noise // else nothing is known of it
-      ? (ratios[1] - m_bound_of_tangential_noise) / (ratios[1] - ratios[0]) : 0;
-    const double tangential_weight = m_parameters.reassignment_tangential_weight * (std::min)((std::max)(certainty, 0.), 1.);
+      ? 1 - ramp(m_bound_of_tangential_noise, ratios[0], ratios[1]) : 0;
+    const double tangential_weight = m_parameters.reassignment_tangential_weight * certainty;
     Face_reassignment<ConcurrencyTag>(mesh, m_vertices_slide ? partly_slid : given, is_movable, neighbors, m_noise,
                                       tangential_weight, m_patch_shares, m_parameters, m_face_normals).run();
   }
@@ -231,17 +231,15 @@ private:
     const Tangential_noise_ratio ratio = tangential_noise_ratio<ConcurrencyTag>(mesh, observed, m_noise, m_parameters);
     m_noise_turns_faces = m_noise_turns_faces || ratio.value > m_parameters.turning_ratio;
     m_bound_of_tangential_noise = (std::max)(m_bound_of_tangential_noise, ratio.upper_bound);
-    const double certainty = (ratio.value - m_parameters.least_tangential_ratio)
-                           / (m_parameters.sure_tangential_ratio - m_parameters.least_tangential_ratio);
-    if(!(certainty > 0))
+    const double certainty = ramp(ratio.value, m_parameters.least_tangential_ratio, m_parameters.sure_tangential_ratio);
+    if(certainty == 0)
       return;
     m_vertices_slide = true;
     const std::vector<Point_3> before = mesh.points();
     if(m_parameters.unfold_faces)
       unfold_faces(mesh, observed, is_movable, neighbors);
     relax_along_surface<ConcurrencyTag>(mesh, is_movable, neighbors,
-                                        m_parameters.sliding_share * (std::min)(certainty, 1.), m_noise,
-                                        m_parameters);
+                                        m_parameters.sliding_share * certainty, m_noise, m_parameters);
 
     std::vector<Vector_3> normals;
     compute_vertex_normals<ConcurrencyTag>(mesh, normals);

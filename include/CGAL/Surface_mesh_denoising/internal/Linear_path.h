@@ -164,10 +164,9 @@ private:
         area += areas[f];
         length += m_mesh.longest_edge_length(f);
       }
-      const double ratio = m_noise * length, low = m_parameters.least_laplacian_noise * 2 * area,
-                   high = m_parameters.sure_laplacian_noise * 2 * area;
-      const double t = (ratio <= low) ? 0 : (ratio >= high) ? 1 : (ratio - low) / (high - low);
-      m_least_weights[v] = float(1 - smooth_step(t));
+      const double certainty = ramp(m_noise * length, m_parameters.least_laplacian_noise * 2 * area,
+                                    m_parameters.sure_laplacian_noise * 2 * area);
+      m_least_weights[v] = float(1 - smooth_step(certainty));
     });
   }
 

@@ -33,6 +33,12 @@ struct Estimate
   std::vector<double> noise_shares;
 };
 
+// from 0 up to `low` to 1 from `high` on
+inline double ramp(const double x, const double low, const double high)
+{
+  return !(x > low) ? 0 : (x < high) ? (x - low) / (high - low) : 1;
+}
+
 // from 0 to 1, as `t` goes, and level at both ends
 inline double smooth_step(const double t) { return t * t * (3 - 2 * t); }
 
