@@ -1065,10 +1065,11 @@ struct Sampled_heights
   }
 
   SMD::internal::Patch_surface fit(const SMD::internal::Adaptive_parameters& parameters
-                                     = SMD::internal::Adaptive_parameters(), const bool has_cubics = true) const
+                                     = SMD::internal::Adaptive_parameters(), const bool is_pilot_fine = true) const
   {
-    const SMD::internal::Patch_effort effort = { 2, 0.25, has_cubics };
-    SMD::internal::Patch_fit fit(parameters, parameters.first_patches_error, effort, noise * noise);
+    SMD::internal::Pilot_error pilot_error = parameters.first_patches_error;
+    pilot_error.is_fine = is_pilot_fine;
+    SMD::internal::Patch_fit fit(parameters, pilot_error, parameters.last_patches_effort, noise * noise);
     fit.clear();
     for(Eigen::Index i=0; i<heights.size(); ++i)
       fit.insert(monomials(i, 1), monomials(i, 2), heights[i], true_heights[i]);
@@ -1152,11 +1153,11 @@ TEST(Patch_fit, Cubic_is_that_of_least_squares)
   }
 }
 
-TEST(Patch_fit, Cubics_are_for_smooth_shapes_that_are_known_on_all_sides)
+TEST(Patch_fit, Cubics_are_for_smooth_shapes_that_a_fine_pilot_shows_on_all_sides)
 {
-  const auto is_cubic = [](const Sampled_heights& sample, const bool has_cubics = true)
+  const auto is_cubic = [](const Sampled_heights& sample, const bool is_pilot_fine = true)
   {
-    return sample.fit(SMD::internal::Adaptive_parameters(), has_cubics).is_cubic;
+    return sample.fit(SMD::internal::Adaptive_parameters(), is_pilot_fine).is_cubic;
   };
   for(unsigned int seed=1; seed<=20; ++seed)
   {
@@ -1220,11 +1221,95 @@ TEST(Patch_fit, Cylinders_help_where_surfaces_bend_one_way)
 TEST(Patch_fit, Cubics_help_on_smooth_shapes_in_weak_noise)
 {
   SMD::internal::Adaptive_parameters parameters;
-  parameters.last_patches_effort.has_cubics = false;
+  parameters.cubic_threshold = std::numeric_limits<double>::infinity();
   for(const double level : {0.05, 0.1})
   {
     const Mesh truth = irregular_mesh(models::saddle, 3000), noisy = with_noise(truth, level);
     EXPECT_LT(error(denoised(noisy), truth), 0.85 * error(denoised_by(parameters, noisy), truth));
+  }
+}
+
+// ---- blend of patches
+
+typedef SMD::internal::Patch_blend<CGAL::Sequential_tag> Patch_blend;
+
+// blends patches over the mesh itself, where noise is weak
+template <typename Get>
+auto of_patches(const SMD::Indexed_triangle_mesh& mesh, const bool is_mesh_fine, const Get& get)
+{
+  const SMD::internal::Adaptive_parameters parameters;
+  const double edge_length = mesh.mean_edge_length<CGAL::Sequential_tag>();
+  SMD::internal::Pilot_error error = parameters.first_patches_error;
+  error.is_fine = is_mesh_fine;
+  return get(Patch_blend(mesh, mesh.points(), std::vector<bool>(mesh.number_of_vertices(), true), 0.01 * edge_length,
+                         edge_length, parameters, error, parameters.last_patches_effort));
+}
+
+// in degrees
+double mean_angle(const std::vector<SMD::Indexed_triangle_mesh::Vector_3>& a,
+                  const std::vector<SMD::Indexed_triangle_mesh::Vector_3>& b)
+{
+  double sum = 0;
+  for(std::size_t i=0; i<a.size(); ++i)
+    sum += CGAL::approximate_angle(a[i], b[i]);
+  return sum / double(a.size());
+}
+
+TEST(Patch_blend, Faces_have_the_normals_that_triangles_have_where_the_surface_bends)
+{
+  typedef std::vector<SMD::Indexed_triangle_mesh::Vector_3> Normals;
+  const auto normals = [](const Patch_blend& blend) { return blend.face_normals(); };
+  const auto deviations = [](const Patch_blend& blend) { return blend.normal_deviations(); };
+  for(const Model_generator model : {models::sphere, models::saddle})
+  {
+    const SMD::Indexed_triangle_mesh mesh = indexed_mesh(irregular_mesh(model, 1500));
+    Normals normals_of_mesh;
+    std::vector<double> areas;
+    SMD::internal::compute_face_normals<CGAL::Sequential_tag>(mesh, normals_of_mesh, areas);
+
+    const Normals fine = of_patches(mesh, true, normals), coarse = of_patches(mesh, false, normals);
+    EXPECT_LT(mean_angle(fine, normals_of_mesh), 0.1);
+    EXPECT_GT(mean_angle(coarse, normals_of_mesh), 0.5);
+
+    Normals without_deviations = fine;
+    const Normals fine_deviations = of_patches(mesh, true, deviations);
+    for(std::size_t f=0; f<fine.size(); ++f)
+      without_deviations[f] = without_deviations[f] - fine_deviations[f];
+    EXPECT_LT(mean_angle(without_deviations, coarse), 0.1);
+    for(const SMD::Indexed_triangle_mesh::Vector_3& d : of_patches(mesh, false, deviations))
+      EXPECT_LT(d.squared_length(), 1e-24);
+  }
+}
+
+TEST(Patch_blend, Planes_have_no_deviations_and_stay)
+{
+  const SMD::Indexed_triangle_mesh mesh = indexed_mesh(plane());
+  for(const auto& d : of_patches(mesh, true, [](const Patch_blend& blend) { return blend.normal_deviations(); }))
+    EXPECT_LT(d.squared_length(), 1e-20);
+  const auto points = of_patches(mesh, true, [](const Patch_blend& blend) { return blend.points(); });
+  for(std::size_t v=0; v<points.size(); ++v)
+    EXPECT_LT(CGAL::squared_distance(points[v], mesh.point(v)), 1e-20);
+}
+
+TEST(Adaptive_fitting, Uneven_triangles_cost_little_on_smooth_shapes)
+{
+  const auto error_on = [](const Mesh& truth) { return error(denoised(with_noise(truth, 0.05)), truth); };
+  for(const auto& model : {std::make_pair(Model_generator(models::sphere), 1.5), {models::torus, 2}})
+    EXPECT_LT(error_on(irregular_mesh(model.first, 1500)), model.second * error_on(regular_mesh(model.first, 1500)));
+}
+
+TEST(Adaptive_fitting, Noise_along_the_normals_moves_vertices_along_the_normals_only)
+{
+  for(const Model_generator model : {models::sphere, models::saddle, models::torus})
+  {
+    const Mesh truth = irregular_mesh(model, 1500), result = denoised(with_noise(truth, 0.05));
+    const SMD::Indexed_triangle_mesh indexed_truth = indexed_mesh(truth), indexed_result = indexed_mesh(result);
+    std::vector<SMD::Indexed_triangle_mesh::Vector_3> normals;
+    SMD::internal::compute_vertex_normals<CGAL::Sequential_tag>(indexed_truth, normals);
+    double sum = 0;
+    for(std::size_t v=0; v<normals.size(); ++v)
+      sum += SMD::internal::along_surface(indexed_result.point(v) - indexed_truth.point(v), normals[v]).squared_length();
+    EXPECT_LT(std::sqrt(sum / double(normals.size())), 0.02 * indexed_truth.mean_edge_length<CGAL::Sequential_tag>());
   }
 }
 

@@ -412,6 +412,7 @@ private:
                                               pilot_error, effort);
       m_face_normals = blend.face_normals();
       points = blend.points();
+      m_normal_deviations = blend.normal_deviations();
       m_leverages = blend.leverages();
     }
     mesh.swap_points(points);
@@ -426,8 +427,7 @@ private:
     {
       const double full_adaptation_noise
         = neighbors(v).empty() ? 0 : m_parameters.full_adaptation_noise * mean_length_of_edges(mesh, neighbors, v);
-      const double share_of_adaptation = (m_noise < full_adaptation_noise)
-        ? (std::max)(m_parameters.least_adaptation, m_noise / full_adaptation_noise) : 1;
+      const double share_of_adaptation = (m_noise < full_adaptation_noise) ? m_noise / full_adaptation_noise : 1;
       const double by_adaptation = (std::max)(0., m_leverages[v] - m_parameters.unadapted_leverage);
       m_noise_shares[v] = (m_leverages[v] + m_parameters.adaptation_factor * share_of_adaptation * by_adaptation)
                         * m_noise * m_noise;
@@ -450,6 +450,12 @@ private:
         auto path = make_path(); // may use `mesh` as long as it lives
         estimate = estimate_along<ConcurrencyTag>(path, observed, normals, neighbors, m_noise, global_band_ends,
                                                   local_band_ends, m_parameters);
+        // ways along the surface are only for places that the path is for
+        for_each_index<ConcurrencyTag>(observed.size(), [&](const std::size_t v)
+        {
+          const Vector_3 way = along_surface(estimate.points[v] - mesh.point(v), normals[v]);
+          estimate.points[v] = estimate.points[v] - path.least_weight(v, local_band_ends.back()) * way;
+        });
       }
       mix(mesh, observed, normals, neighbors, estimate);
     };
@@ -457,7 +463,7 @@ private:
       mix_with_path([&]()
                     {
                       return Gentle_path<ConcurrencyTag>(mesh, observed, is_movable, neighbors, normals, disturbances,
-                                                         m_noise, m_mean_edge_length, m_parameters);
+                                                         m_normal_deviations, m_noise, m_mean_edge_length, m_parameters);
                     }, m_parameters.gentle_global_band_ends, m_parameters.gentle_local_band_ends);
     if(m_parameters.use_linear_path)
       mix_with_path([&]()
@@ -522,6 +528,7 @@ private:
   double m_mean_edge_length;
   double m_noise; // in the unit of the coordinates
   std::vector<Vector_3> m_face_normals;
+  std::vector<Vector_3> m_normal_deviations; // of the faces of the patches, see Patch_blend.h
   std::vector<double> m_leverages;    // of the patches
   std::vector<double> m_noise_shares; // of the result so far, see mixing.h
   std::vector<float> m_patch_shares;  // what each face has of the patches, in the result so far

@@ -22,6 +22,7 @@ struct Pilot_error
 {
   double noise;       // what is left of the noise in them, times noise
   double correlation; // about so many neighbors share it
+  bool is_fine;       // they tell what bends: patches over them may be cubics, and faces have the normals of triangles
 };
 
 // How much work patches are worth
@@ -29,7 +30,6 @@ struct Patch_effort
 {
   double hopeless_risk; // a patch stops growing when its risk is so many times the least
   double core_share;    // the share of the faces of a patch that need none of their own
-  bool has_cubics;      // beside planes, cylinders and quadrics
 };
 
 // All constants of adaptive fitting. Lengths are in mean edge lengths; `noise` stands for the noise level in mean edge
@@ -107,6 +107,7 @@ struct Adaptive_parameters
   double gentle_move_growth = 1;                // and moves the vertices 2 + growth noise k times
   double gentle_maximal_growth = 3;             // each of the two grows by no more than this
   double largest_range = 1.5;
+  double largest_normal_deviation = 0.2;        // of a face from the surface that it is part of
   std::size_t gentle_number_of_steps = 19;      // and then one step of relaxation
   std::array<std::size_t, 3> gentle_global_band_ends = {{ 1, 2, 4 }};
   std::array<std::size_t, 5> gentle_local_band_ends = {{ 6, 9, 13, 19, 20 }};
@@ -135,13 +136,13 @@ struct Adaptive_parameters
   double cubic_threshold = 40;                  // a cubic takes this gain over a quadric,
   double largest_bias_of_cubic = 0.15;          // leaves no more than this share of the bias of simpler surfaces,
   double least_pivot_of_cubic = 0.01;           // and of each cubic monomial those before it leave this share unexplained
-  Pilot_error pilot_error = { 0.3, 6 };
-  Pilot_error first_patches_error = { 0.15, 15 }; // where they are the pilot of the second ones
-  Patch_effort first_patches_effort = { 1.5, 0.35, false };
-  Patch_effort last_patches_effort = { 2, 0.25, true };
+  Pilot_error pilot_error = { 0.3, 6, false };
+  Pilot_error first_patches_error = { 0.15, 15, true }; // where they are the pilot of the second ones
+  Patch_effort first_patches_effort = { 1.5, 0.35 };
+  Patch_effort last_patches_effort = { 2, 0.25 };
   std::size_t number_of_rounds = 8;             // in which seeds are chosen,
   std::size_t rings_around_first_seeds = 3;     // without another seed in so many rings, one less from round to round
-  double tangential_weight = 0.01;              // holds a vertex in the directions that its patches leave free
+  double tangential_weight = 0.03;              // holds a vertex in the directions that its patches leave free
   std::size_t patch_number_of_moves = 3;
 
   // Mixing. Local sums run over a window made by averaging over neighbors again and again.
@@ -154,8 +155,7 @@ struct Adaptive_parameters
   // the noise by that choice, too: less where noise is weak, as detail leaves little to choose there.
   double unadapted_leverage = 0.016;            // that of large patches
   double adaptation_factor = 1.5;               // of what leverages have beyond, where noise is this or more,
-  double full_adaptation_noise = 0.2;           // in the lengths of the edges there,
-  double least_adaptation = 0.5;                // and the less the weaker it is, down to this share
+  double full_adaptation_noise = 0.2;           // in the lengths of the edges there, and the less the weaker it is
   // Faces that are low beside what is left of the noise in the mixed points take the normals around them.
   double mixed_error = 0.3;                     // times noise
   std::size_t number_of_normal_averages = 3;

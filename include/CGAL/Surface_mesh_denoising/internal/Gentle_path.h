@@ -34,15 +34,17 @@ class Gentle_path
   typedef Indexed_triangle_mesh::Vector_3   Vector_3;
 
 public:
-  // `noise` is in the unit of the coordinates, `disturbances` are lengths along `normals` of about that. Keeps references,
-  // and uses `mesh`, which is as before when the path is destroyed
+  // `noise` is in the unit of the coordinates, `disturbances` are lengths along `normals` of about that,
+  // `normal_deviations` those of the patches (see Patch_blend.h). Keeps references, and uses `mesh`, which is as before when
+  // the path is destroyed
   Gentle_path(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed, const std::vector<bool>& is_movable,
               const Vertex_neighbors& neighbors, const std::vector<Vector_3>& normals,
-              const std::vector<double>& disturbances, const double noise, const double mean_edge_length,
-              const Adaptive_parameters& parameters)
+              const std::vector<double>& disturbances, const std::vector<Vector_3>& normal_deviations, const double noise,
+              const double mean_edge_length, const Adaptive_parameters& parameters)
     : m_mesh(mesh), m_is_movable(is_movable), m_neighbors(neighbors), m_normals(normals),
-      m_disturbances(disturbances), m_noise(noise), m_relative_noise(noise / mean_edge_length), m_parameters(parameters),
-      m_points_before(observed), m_disturbed(observed.size())
+      m_disturbances(disturbances), m_normal_deviations(normal_deviations), m_noise(noise),
+      m_relative_noise(noise / mean_edge_length), m_parameters(parameters), m_points_before(observed),
+      m_disturbed(observed.size())
   {
     for_each_index<ConcurrencyTag>(observed.size(), [&](const std::size_t v)
     { m_disturbed[v] = observed[v] + disturbances[v] * normals[v]; });
@@ -78,7 +80,7 @@ public:
         m_mesh.swap_points(m_disturbed);
       }
       else
-        m_evolve(m_mesh, m_disturbed, m_is_movable, step());
+        m_evolve(m_mesh, m_disturbed, m_is_movable, m_normal_deviations, step());
     }
   }
 
@@ -122,6 +124,7 @@ private:
   const Vertex_neighbors& m_neighbors;
   const std::vector<Vector_3>& m_normals;
   const std::vector<double>& m_disturbances;
+  const std::vector<Vector_3>& m_normal_deviations;
   double m_noise, m_relative_noise;
   const Adaptive_parameters& m_parameters;
 

@@ -93,9 +93,9 @@ public:
   }
 
   // The same for `mesh` and for the mesh with its vertices at `other_points`, with the same weights, in little more time.
-  // Keeps no normals
+  // The filter sees the normals without their deviations, which uneven triangles have where the surface bends. Keeps no normals
   void operator()(Indexed_triangle_mesh& mesh, std::vector<Point_3>& other_points, const std::vector<bool>& is_movable,
-                  const Evolution_step& step) const
+                  const std::vector<Vector_3>& deviations, const Evolution_step& step) const
   {
     std::vector<Vector_pair> normals;
     {
@@ -107,7 +107,14 @@ public:
       mesh.swap_points(other_points);
       pair_up(first, second, normals);
     }
+    const auto add_deviations = [&](const double factor)
+    {
+      for_each_index<ConcurrencyTag>(normals.size(), [&](const std::size_t f)
+      { normals[f] = normalized_or(normals[f] + factor * Vector_pair(deviations[f], deviations[f]), normals[f]); });
+    };
+    add_deviations(-1);
     filter(mesh, step, normals);
+    add_deviations(1);
 
     std::vector<Point_3> points;
     mesh.swap_points(points);

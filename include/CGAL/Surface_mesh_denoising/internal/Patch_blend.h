@@ -59,6 +59,7 @@ public:
       m_extent(parameters.patch_extent * m_geometry.mean_centroid_distance()),
       m_squared_noise((std::max)(noise * noise, 1e-16 * mean_edge_length * mean_edge_length)),
       m_is_in_core(mesh.number_of_faces(), false), m_normal_sums(mesh.number_of_faces(), Vector_3(0, 0, 0)),
+      m_centroid_normal_sums(mesh.number_of_faces(), Vector_3(0, 0, 0)),
       m_vertex_sums(mesh.number_of_vertices())
   {
     std::vector<double> areas;
@@ -90,8 +91,24 @@ public:
     return normals;
   }
 
-  // Each vertex where the squared distances to the patches that cover it are least, by their weights. Where they leave
-  // a direction free, and where there are no patches, it stays with the pilot
+  // How far the normals of faces are from those of the patches at their centroids, as patches bend; zero where triangles are
+  // so coarse beside the bends that it means nothing
+  std::vector<Vector_3> normal_deviations() const
+  {
+    std::vector<Vector_3> deviations(m_normals.size());
+    for_each_index<ConcurrencyTag>(deviations.size(), [&](const std::size_t f)
+    {
+      const Vector_3 d = normalized_or(m_normal_sums[f], m_normals[f])
+                       - normalized_or(m_centroid_normal_sums[f], m_normals[f]);
+      const double limit = m_parameters.largest_normal_deviation;
+      deviations[f] = (d.squared_length() <= limit * limit) ? d : Vector_3(0, 0, 0);
+    });
+    return deviations;
+  }
+
+  // Each vertex where the squared distances to the patches that cover it are least, by their weights. In directions that
+  // they leave free, or hardly tell as their normals are almost the same, it keeps to the observed point: noise is mostly
+  // along the normals. Where there are no patches, it stays with the pilot
   std::vector<Point_3> points() const
   {
     std::vector<Point_3> points(m_mesh.points());
@@ -105,11 +122,11 @@ public:
                 s.m[1], s.m[3], s.m[4],
                 s.m[2], s.m[4], s.m[5];
       matrix /= s.weight;
-      const Eigen::Vector3d residual = to_eigen(s.rhs) / s.weight - matrix * to_eigen(points[v] - m_observed[v]);
-      matrix.diagonal().array() += m_parameters.tangential_weight;
-      const Eigen::Vector3d d = matrix.inverse() * residual;
+      Eigen::Matrix3d damped = matrix * matrix;
+      damped.diagonal().array() += m_parameters.tangential_weight * m_parameters.tangential_weight;
+      const Eigen::Vector3d d = damped.inverse() * (matrix * (to_eigen(s.rhs) / s.weight));
       if(d.allFinite())
-        points[v] = points[v] + Vector_3(d[0], d[1], d[2]);
+        points[v] = m_observed[v] + Vector_3(d[0], d[1], d[2]);
     });
     return points;
   }
@@ -133,7 +150,8 @@ private:
   struct Face_term
   {
     Index face;
-    Vector_3 weighted_normal;
+    Vector_3 weighted_normal;          // of the face
+    Vector_3 weighted_centroid_normal; // of the patch
   };
 
   struct Vertex_term
@@ -235,7 +253,7 @@ private:
       return faces;
     }
 
-    void list_terms(const std::vector<typename Search::Neighbor>& faces, Patch& patch) const
+    void list_terms(const std::vector<typename Search::Neighbor>& faces, Patch& patch)
     {
       const Patch_surface& surface = m_fit.best();
       const double squared_noise = m_blend.m_squared_noise;
@@ -250,17 +268,7 @@ private:
       const double height_bias = surface.squared_bias + 1e-3 * squared_noise;
       const auto taper = [](const std::size_t k, const std::size_t n) { return 1.02 - double(k) / double(n); };
 
-      for(std::size_t k=0; k<surface.number_of_faces; ++k)
-      {
-        const Index f = faces[k].face;
-        const Point_3& c = m_blend.m_geometry.centroid(f);
-        const double u = m_frame.u(c), v = m_frame.v(c);
-        const Vector_3 n = surface.normal(m_frame, u, v);
-        const double weight = taper(k, surface.number_of_faces)
-                            / ((slope_unit * surface.variance_of_slopes(u, v) + slope_bias)
-                               * std::sqrt(n.squared_length()));
-        patch.faces.push_back(Face_term{ f, weight * n });
-      }
+      m_feet.clear();
       for(std::size_t k=0; k<surface.number_of_points; ++k)
       {
         const Patch_point& q = m_points[k];
@@ -270,7 +278,34 @@ private:
         const double weight = taper(q.rank, surface.number_of_points) / (squared_noise * leverage + height_bias);
         patch.vertices.push_back(Vertex_term{ q.vertex, weight, leverage, cosine * n,
                                               cosine * (surface.height(q.u, q.v) - q.height) });
+        const Vertex_term& t = patch.vertices.back();
+        m_feet.push_back(m_blend.m_observed[q.vertex] + t.distance * t.normal);
       }
+      for(std::size_t k=0; k<surface.number_of_faces; ++k)
+      {
+        const Index f = faces[k].face;
+        const Point_3& c = m_blend.m_geometry.centroid(f);
+        const double u = m_frame.u(c), v = m_frame.v(c);
+        const Vector_3 n = surface.normal(m_frame, u, v);
+        const double length = std::sqrt(n.squared_length());
+        const double weight = taper(k, surface.number_of_faces)
+                            / ((slope_unit * surface.variance_of_slopes(u, v) + slope_bias) * length);
+        patch.faces.push_back(Face_term{ f, weight * normal_of_face(f, n, length), weight * n });
+      }
+    }
+
+    // The normal that a face has when its vertices are on the surface. Where that bends, it may differ much from the normal
+    // `n` of the surface at the centroid: for a sphere, it is that at the circumcenter. Over a coarse pilot patches follow what
+    // is no shape, and faces take `n`. The result is as long as `n`, which is `length`
+    Vector_3 normal_of_face(const Index f, const Vector_3& n, const double length)
+    {
+      if(!m_blend.m_pilot_error.is_fine)
+        return n;
+      std::array<Point_3, 3> feet;
+      std::transform(m_blend.m_mesh.vertices(f).begin(), m_blend.m_mesh.vertices(f).end(), feet.begin(),
+                     [&](const Index v) { return m_feet[m_numbering.insert(v).first]; });
+      const Vector_3 area = cross_product(feet[1] - feet[0], feet[2] - feet[0]);
+      return (area * n > 0) ? length / std::sqrt(area.squared_length()) * area : n; // noise along the surface turns faces
     }
 
     struct Patch_point
@@ -286,6 +321,7 @@ private:
     Patch_frame m_frame;
     Local_numbering<Index> m_numbering;
     std::vector<Patch_point> m_points;
+    std::vector<Point_3> m_feet; // of the points on the best surface
   };
 
   // the key of a face: what the pilot moved its vertices, scrambled
@@ -357,7 +393,10 @@ private:
       {
         const std::vector<Face_term>& faces = patches[i].faces; // the nearest first
         for(const Face_term& t : faces)
+        {
           m_normal_sums[t.face] += t.weighted_normal;
+          m_centroid_normal_sums[t.face] += t.weighted_centroid_normal;
+        }
         for(std::size_t k=0; double(k) < m_effort.core_share * double(faces.size()); ++k)
           m_is_in_core[faces[k].face] = true;
         for(const Vertex_term& t : patches[i].vertices)
@@ -384,7 +423,7 @@ private:
   std::vector<Vector_3> m_normals;
   std::vector<double> m_keys;
   std::vector<bool> m_is_in_core; // of a patch
-  std::vector<Vector_3> m_normal_sums;
+  std::vector<Vector_3> m_normal_sums, m_centroid_normal_sums;
   std::vector<Vertex_sum> m_vertex_sums;
 };
 

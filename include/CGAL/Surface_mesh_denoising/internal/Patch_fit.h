@@ -147,7 +147,7 @@ public:
   Patch_fit(const Adaptive_parameters& parameters, const Pilot_error& pilot_error, const Patch_effort& effort,
             const double squared_noise)
     : m_parameters(parameters), m_pilot_error(pilot_error), m_hopeless_risk(effort.hopeless_risk),
-      m_has_cubics(effort.has_cubics && parameters.use_adaptive_degree), m_squared_noise(squared_noise)
+      m_has_cubics(pilot_error.is_fine && parameters.use_adaptive_degree), m_squared_noise(squared_noise)
   {}
 
   void clear()
