@@ -143,6 +143,7 @@ struct Adaptive_parameters
   std::size_t number_of_rounds = 8;             // in which seeds are chosen,
   std::size_t rings_around_first_seeds = 3;     // without another seed in so many rings, one less from round to round
   double tangential_weight = 0.03;              // holds a vertex in the directions that its patches leave free
+  std::array<double, 2> noise_to_keep_to_pilot = {{ 1, 2 }}; // Between these times the height of triangles, from none to all
   std::size_t patch_number_of_moves = 3;
 
   // Mixing. Local sums run over a window made by averaging over neighbors again and again.

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_denoising/Indexed_triangle_mesh.h>
 #include <CGAL/Surface_mesh_denoising/internal/Adaptive_parameters.h>
 #include <CGAL/Surface_mesh_denoising/internal/Vertex_neighbors.h>
+#include <CGAL/Surface_mesh_denoising/internal/normals.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
 #include <CGAL/Surface_mesh_denoising/internal/to_eigen.h>
 
@@ -167,13 +168,8 @@ private:
   // Where triangles are much smaller than the noise, their planes mean nothing
   bool is_as_large_as_noise(const std::size_t f) const
   {
-    double area = 0, length = 0;
-    for(const Index g : m_mesh.faces_around_face(f))
-    {
-      area += m_mesh.area(g);
-      length += m_mesh.longest_edge_length(g);
-    }
-    return 2 * area > m_parameters.reassignment_least_height * m_noise * length;
+    return mean_height_of_faces(m_mesh, m_mesh.faces_around_face(f), [&](const Index g) { return m_mesh.area(g); })
+         > m_parameters.reassignment_least_height * m_noise;
   }
 
   void find_faces_at_edges(std::vector<Index>& faces) const

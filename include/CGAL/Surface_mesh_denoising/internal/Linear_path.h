@@ -158,14 +158,9 @@ private:
     m_least_weights.resize(m_states.size());
     for_each_index<ConcurrencyTag>(m_states.size(), [&](const std::size_t v)
     {
-      double area = 0, length = 0;
-      for(const Index f : m_mesh.faces_around_vertex(v))
-      {
-        area += areas[f];
-        length += m_mesh.longest_edge_length(f);
-      }
-      const double certainty = ramp(m_noise * length, m_parameters.least_laplacian_noise * 2 * area,
-                                    m_parameters.sure_laplacian_noise * 2 * area);
+      const double height = mean_height_of_faces(m_mesh, m_mesh.faces_around_vertex(v), [&](const Index f) { return areas[f]; });
+      const double certainty = ramp(m_noise, m_parameters.least_laplacian_noise * height,
+                                    m_parameters.sure_laplacian_noise * height);
       m_least_weights[v] = float(1 - smooth_step(certainty));
     });
   }

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_denoising/internal/Local_numbering.h>
 #include <CGAL/Surface_mesh_denoising/internal/Neighborhood_search.h>
 #include <CGAL/Surface_mesh_denoising/internal/Patch_fit.h>
+#include <CGAL/Surface_mesh_denoising/internal/mixing.h>
 #include <CGAL/Surface_mesh_denoising/internal/normals.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
 #include <CGAL/Surface_mesh_denoising/internal/sine_key.h>
@@ -108,7 +109,8 @@ public:
 
   // Each vertex where the squared distances to the patches that cover it are least, by their weights. In directions that
   // they leave free, or hardly tell as their normals are almost the same, it keeps to the observed point: noise is mostly
-  // along the normals. Where there are no patches, it stays with the pilot
+  // along the normals. Where triangles are smaller than the noise they mean nothing, and it keeps to the pilot, which has
+  // evened triangles out; so it does where there are no patches
   std::vector<Point_3> points() const
   {
     std::vector<Point_3> points(m_mesh.points());
@@ -124,9 +126,15 @@ public:
       matrix /= s.weight;
       Eigen::Matrix3d damped = matrix * matrix;
       damped.diagonal().array() += m_parameters.tangential_weight * m_parameters.tangential_weight;
-      const Eigen::Vector3d d = damped.inverse() * (matrix * (to_eigen(s.rhs) / s.weight));
+      const double height = mean_height_of_faces(m_mesh, m_mesh.faces_around_vertex(v),
+                                                 [&](const Index f) { return m_geometry.area(f); });
+      const std::array<double, 2>& limits = m_parameters.noise_to_keep_to_pilot;
+      const double share_of_pilot = ramp(std::sqrt(m_squared_noise), limits[0] * height, limits[1] * height);
+      const Point_3 start = m_observed[v] + share_of_pilot * (points[v] - m_observed[v]);
+      const Eigen::Vector3d residual = to_eigen(s.rhs) / s.weight - matrix * to_eigen(start - m_observed[v]);
+      const Eigen::Vector3d d = damped.inverse() * (matrix * residual);
       if(d.allFinite())
-        points[v] = m_observed[v] + Vector_3(d[0], d[1], d[2]);
+        points[v] = start + Vector_3(d[0], d[1], d[2]);
     });
     return points;
   }

@@ -186,6 +186,19 @@ inline double height_of_face(const Indexed_triangle_mesh& mesh, const std::size_
   return (longest_edge > 0) ? 2 * areas[f] / longest_edge : 0;
 }
 
+// the mean height of these faces over their longest edges, zero if there are none; `area(f)` is the area of a face
+template <typename Faces, typename Area>
+double mean_height_of_faces(const Indexed_triangle_mesh& mesh, const Faces& faces, const Area& area)
+{
+  double sum_of_areas = 0, sum_of_lengths = 0;
+  for(const Indexed_triangle_mesh::Index f : faces)
+  {
+    sum_of_areas += area(f);
+    sum_of_lengths += mesh.longest_edge_length(f);
+  }
+  return (sum_of_lengths > 0) ? 2 * sum_of_areas / sum_of_lengths : 0;
+}
+
 // Points that are off by `error` turn a face the further, the lower it is. So a face takes the normal of the faces across its
 // edges, but for a share of its own that grows with its height. More averages reach through rows of low faces
 template <typename ConcurrencyTag>
