@@ -191,7 +191,7 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *   \cgalParamNEnd
 *   \cgalParamNBegin{refit_patches}
 *     \cgalParamDescription{Adaptive method: whether patches are fitted a second time, to the same points, with the first ones in place of the
-*                           pilot.}
+*                           pilot. Only these may be cubic surfaces, and give faces the normals that triangles on them have.}
 *     \cgalParamType{Boolean}
 *     \cgalParamDefault{`true`}
 *   \cgalParamNEnd
