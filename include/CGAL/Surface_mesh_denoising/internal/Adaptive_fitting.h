@@ -427,7 +427,7 @@ private:
     {
       const double full_adaptation_noise
         = neighbors(v).empty() ? 0 : m_parameters.full_adaptation_noise * mean_length_of_edges(mesh, neighbors, v);
-      const double share_of_adaptation = (m_noise < full_adaptation_noise) ? m_noise / full_adaptation_noise : 1;
+      const double share_of_adaptation = ramp(m_noise, 0, full_adaptation_noise);
       const double by_adaptation = (std::max)(0., m_leverages[v] - m_parameters.unadapted_leverage);
       m_noise_shares[v] = (m_leverages[v] + m_parameters.adaptation_factor * share_of_adaptation * by_adaptation)
                         * m_noise * m_noise;
