@@ -414,6 +414,18 @@ TEST(Adaptive_fitting, Weak_noise_is_told_from_edges)
   EXPECT_LT(sum_of_ratios, 12 * 0.9);
 }
 
+// detail as fine as this stands out of all patches, and neighbors have it in common
+TEST(Adaptive_fitting, Weak_noise_is_told_from_detail)
+{
+  double sum_of_ratios = 0;
+  for(const unsigned int seed : {1, 2, 3})
+  {
+    const Mesh truth = irregular_mesh(models::organic_shape, 1500), noisy = with_noise(truth, 0.02, seed);
+    sum_of_ratios += error(denoised(noisy), truth) / error(denoised(noisy, params::refine_noise_level(false)), truth);
+  }
+  EXPECT_LT(sum_of_ratios, 3 * 0.95);
+}
+
 // quadrics of two rings see nothing but edges here
 TEST(Adaptive_fitting, Edges_on_coarse_meshes_hide_no_noise)
 {

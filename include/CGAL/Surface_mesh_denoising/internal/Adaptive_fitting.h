@@ -310,6 +310,17 @@ private:
          < m_parameters.correlation_of_hidden_noise;
   }
 
+  // The share of the noise in the squares of the residuals. What patches leave of noise has opposite signs at neighbors, the
+  // more the patches follow it; what they leave of the shape has the same sign
+  double share_of_noise(const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
+                        const std::vector<double>& residuals) const
+  {
+    const double of_noise = -m_parameters.correlation_by_leverage
+                          * std::sqrt(median_of_absolutes(m_leverages, is_movable));
+    return 1 - ramp(correlation_of_neighbors<ConcurrencyTag>(neighbors, residuals, is_movable), of_noise,
+                    m_parameters.correlation_of_shape);
+  }
+
   // The noise level rests on quadrics of two rings, which know no edges and hide detail of the shape in the noise. Patches tell
   // them apart, unless most of what they leave is shape: then a lower level makes patches that follow it. Where no level is low
   // enough there is no noise. Returns whether the level has become much lower
@@ -317,15 +328,18 @@ private:
                           std::vector<double> residuals)
   {
     add_what_patches_follow(residuals);
-    m_residuals_are_shape = relative_noise() < m_parameters.shape_noise
-                         && are_mostly_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable);
+    const bool may_be_shape = relative_noise() < m_parameters.shape_noise;
+    const double share = may_be_shape ? share_of_noise(is_movable, neighbors, residuals) : 1;
+    m_residuals_are_shape = may_be_shape
+                         && (share < m_parameters.least_share_of_noise
+                             || are_mostly_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable));
     if(m_residuals_are_shape && round + 1 == m_parameters.shape_number_of_rounds)
     {
       m_noise = 0;
       return true;
     }
 
-    const double level = refined_level(is_movable, neighbors, std::move(residuals));
+    const double level = std::sqrt(share) * refined_level(is_movable, neighbors, std::move(residuals));
     if(m_residuals_are_shape)
     {
       const std::array<double, 2>& limits = m_parameters.refined_level_of_shape;
@@ -364,7 +378,9 @@ private:
       const double ratio = root_mean_square(m_parameters.largest_tail * median_deviation) / median_deviation;
       if(!(ratio >= m_parameters.heavy_tail)
          || (relative_noise() < m_parameters.shape_noise
-             && are_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable, limit)))
+             && (are_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable, limit)
+                 || share_of_impulses<ConcurrencyTag>(neighbors, residuals, is_movable)
+                    < m_parameters.least_share_of_impulses)))
         return false;
       m_has_impulses = true;
       m_noise = (std::min)(ratio * m_noise, m_parameters.maximal_correction

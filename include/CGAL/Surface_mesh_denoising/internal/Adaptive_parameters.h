@@ -66,6 +66,7 @@ struct Adaptive_parameters
   // Impulses: the root mean square of the residuals is more than so many times what their median tells of a normal
   // distribution. The noise then counts for as much more, but for no more than so many times its root mean square.
   double heavy_tail = 1.08;
+  double least_share_of_impulses = 8e-4;        // of the vertices stand alone, else weak noise has no impulses
   double largest_tail = 10;                     // standard deviations, as the median tells them: beyond, residuals are cut,
   double largest_residual = 4;                  // and the observed points here
   double maximal_correction = 1.5;              // and in later rounds for just so many times that of what remains
@@ -74,6 +75,11 @@ struct Adaptive_parameters
   double refined_level_factor = 1.1;            // times what the residuals tell,
   double refined_level_limit = 0.85;            // counts if it is less than so many times the level before,
   double least_refined_level = 0.5;             // but for no less than so many times that.
+  // Neighbors' residuals have a correlation of minus this times the root of the leverage where they are noise, and about the
+  // second where they are shape; most is shape where noise has less than the last share in the squares.
+  double correlation_by_leverage = 0.35;
+  double correlation_of_shape = 0.3;
+  double least_share_of_noise = 0.25;
   std::array<double, 2> refined_level_of_shape = {{ 0.25, 0.5 }}; // Between these times that, while most is shape
   double least_rest_of_noise = 0.1;             // the share of the noise in the residual of a vertex
 
