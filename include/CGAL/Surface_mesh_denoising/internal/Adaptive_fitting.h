@@ -146,6 +146,7 @@ private:
   double relative_noise() const { return m_noise / m_mean_edge_length; }
   bool is_negligible(const double noise) const { return !(noise > m_parameters.negligible_noise * m_mean_edge_length); }
   bool is_free_of_noise() const { return is_negligible(m_noise); }
+  bool residuals_may_be_shape() const { return relative_noise() < m_parameters.shape_noise; }
 
   void find_noise_level(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors)
   {
@@ -328,9 +329,8 @@ private:
                           std::vector<double> residuals)
   {
     add_what_patches_follow(residuals);
-    const bool may_be_shape = relative_noise() < m_parameters.shape_noise;
-    const double share = may_be_shape ? share_of_noise(is_movable, neighbors, residuals) : 1;
-    m_residuals_are_shape = may_be_shape
+    const double share = residuals_may_be_shape() ? share_of_noise(is_movable, neighbors, residuals) : 1;
+    m_residuals_are_shape = residuals_may_be_shape()
                          && (share < m_parameters.least_share_of_noise
                              || are_mostly_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable));
     if(m_residuals_are_shape && round + 1 == m_parameters.shape_number_of_rounds)
@@ -377,7 +377,7 @@ private:
     {
       const double ratio = root_mean_square(m_parameters.largest_tail * median_deviation) / median_deviation;
       if(!(ratio >= m_parameters.heavy_tail)
-         || (relative_noise() < m_parameters.shape_noise
+         || (residuals_may_be_shape()
              && (are_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable, limit)
                  || share_of_impulses<ConcurrencyTag>(neighbors, residuals, is_movable)
                     < m_parameters.least_share_of_impulses)))

@@ -75,13 +75,12 @@ struct Adaptive_parameters
   double refined_level_factor = 1.1;            // times what the residuals tell,
   double refined_level_limit = 0.85;            // counts if it is less than so many times the level before,
   double least_refined_level = 0.5;             // but for no less than so many times that.
-  // Neighbors' residuals have a correlation of minus this times the root of the leverage where they are noise, and about the
-  // second where they are shape; most is shape where noise has less than the last share in the squares.
-  double correlation_by_leverage = 0.35;
-  double correlation_of_shape = 0.3;
-  double least_share_of_noise = 0.25;
   std::array<double, 2> refined_level_of_shape = {{ 0.25, 0.5 }}; // Between these times that, while most is shape
   double least_rest_of_noise = 0.1;             // the share of the noise in the residual of a vertex
+  // Only the share of the noise in the squares of the residuals counts, by the correlation of neighbors:
+  double correlation_by_leverage = 0.35;        // minus this, times the root of the median leverage, where all is noise,
+  double correlation_of_shape = 0.3;            // and this where all is shape
+  double least_share_of_noise = 0.25;           // with less, most is shape
 
   // The pilot. The normal of a face is off by about twice the noise: the range of the filter starts above that and shrinks to
   // what noise leaves in the end, so that first the noise goes and then the edges come out, obtuse ones last.
