@@ -318,6 +318,22 @@ TEST(Adaptive_fitting, Coarse_meshes_without_noise_come_back)
     }
 }
 
+// few residuals seem to have little in common now and then
+TEST(Adaptive_fitting, Small_smooth_meshes_without_noise_come_back)
+{
+  const auto radius = [](const models::Vector& d)
+  { return 1 + 0.2 * std::sin(3 * d.x() + 1) * std::cos(2.5 * d.y()) + 0.12 * std::sin(4 * d.z() - d.x()); };
+  for(unsigned int seed=0; seed<5; ++seed)
+  {
+    models::Options options;
+    options.number_of_vertices = 150;
+    options.triangles = models::Triangles::IRREGULAR;
+    options.seed = seed;
+    const Mesh mesh = models::to_mesh<Mesh>(models::star_shaped(options, radius));
+    EXPECT_LT(error(denoised(mesh), mesh), 0.5) << "with seed " << seed;
+  }
+}
+
 TEST(Adaptive_fitting, Is_better_than_the_iterative_method)
 {
   for(const Model_generator model : {models::cube, models::sphere, models::cad_part, models::organic_shape})
@@ -1300,6 +1316,78 @@ TEST(Patch_blend, Planes_have_no_deviations_and_stay)
   const auto points = of_patches(mesh, true, [](const Patch_blend& blend) { return blend.points(); });
   for(std::size_t v=0; v<points.size(); ++v)
     EXPECT_LT(CGAL::squared_distance(points[v], mesh.point(v)), 1e-20);
+}
+
+// ---- moves that turn faces
+
+typedef std::vector<SMD::Indexed_triangle_mesh::Vector_3> Vectors;
+
+// the normals of the mesh, turned by some degrees each
+Vectors turned_normals(const SMD::Indexed_triangle_mesh& mesh, const double degrees)
+{
+  Vectors normals;
+  std::vector<double> areas;
+  SMD::internal::compute_face_normals<CGAL::Sequential_tag>(mesh, normals, areas);
+  std::mt19937 random(3);
+  std::normal_distribution<double> slope(0, degrees * 3.14159265358979 / 180);
+  for(auto& n : normals)
+  {
+    const double x = slope(random), y = slope(random), z = slope(random);
+    n = SMD::internal::normalized_or_null(n + SMD::Indexed_triangle_mesh::Vector_3(x, y, z));
+  }
+  return normals;
+}
+
+void turn_faces(SMD::Indexed_triangle_mesh& mesh, const Vectors& normals, const std::size_t number_of_moves,
+                const double relaxation)
+{
+  SMD::internal::turn_faces<CGAL::Sequential_tag>(mesh, std::vector<bool>(mesh.number_of_vertices(), true), normals,
+                                                  number_of_moves, relaxation);
+}
+
+TEST(Turn_faces, Faces_that_have_their_normals_stay)
+{
+  const SMD::Indexed_triangle_mesh mesh = indexed_mesh(irregular_mesh(models::torus, 500));
+  SMD::Indexed_triangle_mesh moved = mesh;
+  turn_faces(moved, turned_normals(mesh, 0), 10, 0.4);
+  for(std::size_t v=0; v<mesh.number_of_vertices(); ++v)
+    EXPECT_LT(CGAL::squared_distance(moved.point(v), mesh.point(v)), 1e-24);
+}
+
+// the slopes of the heights along the normals, by the metric that the edges of `original` make
+TEST(Turn_faces, The_sum_of_squared_slopes_never_grows)
+{
+  const SMD::Indexed_triangle_mesh original = indexed_mesh(irregular_mesh(models::cad_part, 1500));
+  const Vectors normals = turned_normals(original, 5);
+  const auto sum_of_slopes = [&](const SMD::Indexed_triangle_mesh& mesh)
+  {
+    double sum = 0;
+    for(std::size_t f=0; f<mesh.number_of_faces(); ++f)
+    {
+      const auto& t = mesh.vertices(f);
+      const auto e = original.point(t[1]) - original.point(t[0]), g = original.point(t[2]) - original.point(t[0]);
+      Eigen::Matrix2d metric;
+      metric << e * e, e * g, e * g, g * g;
+      const Eigen::Vector2d rises(normals[f] * (mesh.point(t[1]) - mesh.point(t[0])),
+                                  normals[f] * (mesh.point(t[2]) - mesh.point(t[0])));
+      const double squared_longest = (std::max)({e.squared_length(), g.squared_length(), (g - e).squared_length()});
+      sum += metric.determinant() / squared_longest * rises.dot(metric.inverse() * rises);
+    }
+    return sum;
+  };
+  for(const double relaxation : {0.4, 0.66})
+  {
+    double last = sum_of_slopes(original);
+    for(const std::size_t number_of_moves : {1, 2, 3, 5, 10, 20, 50, 100})
+    {
+      SMD::Indexed_triangle_mesh mesh = original;
+      turn_faces(mesh, normals, number_of_moves, relaxation);
+      const double now = sum_of_slopes(mesh);
+      EXPECT_LT(now, last);
+      last = now;
+    }
+    EXPECT_LT(last, 0.6 * sum_of_slopes(original)); // there are more faces than vertices, so much remains
+  }
 }
 
 TEST(Adaptive_fitting, Uneven_triangles_cost_little_on_smooth_shapes)

@@ -28,6 +28,7 @@
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
 #include <CGAL/Surface_mesh_denoising/internal/sine_key.h>
 #include <CGAL/Surface_mesh_denoising/internal/tangential_noise.h>
+#include <CGAL/Surface_mesh_denoising/internal/turn_faces.h>
 
 #include <algorithm>
 #include <array>
@@ -122,17 +123,12 @@ public:
       mix_with_paths(mesh, observed, is_movable, neighbors);
     const std::size_t number_of_moves = (std::max)(m_parameters.final_least_number_of_moves,
                                                    std::size_t(m_parameters.final_number_of_moves * relative_noise()));
-    const auto move_to_agree = [&](const std::size_t number)
-    {
-      Normal_evolution<ConcurrencyTag>::move_to_agree(mesh, is_movable, m_face_normals, number,
-                                                      m_parameters.final_overrelaxation);
-    };
     if(m_parameters.reassign_faces)
     {
-      move_to_agree(m_parameters.final_least_number_of_moves);
+      move_to_agree(mesh, is_movable, m_parameters.final_least_number_of_moves);
       reassign_faces(mesh, given(), observed, is_movable, neighbors);
     }
-    move_to_agree(number_of_moves);
+    move_to_agree(mesh, is_movable, number_of_moves);
     if(m_parameters.unfold_faces)
       unfold_faces(mesh, observed, is_movable, neighbors);
     if(m_parameters.preserve_volume)
@@ -146,6 +142,11 @@ private:
   double relative_noise() const { return m_noise / m_mean_edge_length; }
   bool is_negligible(const double noise) const { return !(noise > m_parameters.negligible_noise * m_mean_edge_length); }
   bool is_free_of_noise() const { return is_negligible(m_noise); }
+
+  // about how far chance takes a correlation or a ratio of two levels
+  static double error_of_statistics(const std::vector<bool>& counts)
+  { return 1 / std::sqrt(double(std::count(counts.begin(), counts.end(), true))); }
+
   bool residuals_may_be_shape() const { return relative_noise() < m_parameters.shape_noise; }
 
   void find_noise_level(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors)
@@ -196,6 +197,11 @@ private:
       }
     }
     return true;
+  }
+
+  void move_to_agree(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable, const std::size_t number_of_moves) const
+  {
+    turn_faces<ConcurrencyTag>(mesh, is_movable, m_face_normals, number_of_moves, m_parameters.turning_relaxation);
   }
 
   // Slides depend on where the pilot saw the edges: observed points take part in them with care
@@ -252,11 +258,14 @@ private:
     });
   }
 
-  // What the patches tell of the noise. Returns whether that is something else than was thought, so that they are to be made anew
+  // What the patches tell of the noise. Returns whether that is something else than was thought: then they are to be made anew
   bool correct_noise(const std::size_t round, const Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable,
                      const Vertex_neighbors& neighbors, std::vector<Point_3>& observed, std::vector<Point_3>& original)
   {
-    if(round >= (m_residuals_are_shape ? m_parameters.shape_number_of_rounds : m_parameters.correction_number_of_rounds))
+    if(round == 0)
+      m_first_noise = m_noise;
+    const bool were_of_shape = m_residuals_are_shape;
+    if(round >= m_parameters.correction_number_of_rounds && !were_of_shape)
       return false;
     m_residuals_are_shape = false;
 
@@ -272,7 +281,7 @@ private:
       return true;
     }
     if(m_parameters.remove_impulses
-       && remove_impulses(is_movable, neighbors, normals, residuals, observed, original))
+       && remove_impulses(is_movable, neighbors, normals, residuals, were_of_shape, observed, original))
       return true;
     return m_parameters.refine_noise_level && !m_has_impulses
            && refine_noise_level(round, is_movable, neighbors, std::move(residuals));
@@ -311,39 +320,47 @@ private:
          < m_parameters.correlation_of_hidden_noise;
   }
 
-  // The share of the noise in the squares of the residuals. What patches leave of noise has opposite signs at neighbors, the
-  // more the patches follow it; what they leave of the shape has the same sign
-  double share_of_noise(const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
-                        const std::vector<double>& residuals) const
+  // What patches leave of noise has opposite signs at neighbors, the more the patches follow it; what they leave of the shape
+  // has the same sign, most of it at edges and in other places that are not quiet
+  double correlation_of_residuals(const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
+                                  const std::vector<double>& residuals) const
+  {
+    const Quiet_places quiet = quiet_places<ConcurrencyTag>(neighbors, residuals, is_movable);
+    return (std::min)(correlation_of_neighbors<ConcurrencyTag>(neighbors, residuals, is_movable),
+                      correlation_of_neighbors<ConcurrencyTag>(neighbors, residuals, quiet.are_there));
+  }
+
+  // The share of the noise in the squares of the residuals with this correlation
+  double share_of_noise(const std::vector<bool>& is_movable, const double correlation) const
   {
     const double of_noise = -m_parameters.correlation_by_leverage
                           * std::sqrt(median_of_absolutes(m_leverages, is_movable));
-    return 1 - ramp(correlation_of_neighbors<ConcurrencyTag>(neighbors, residuals, is_movable), of_noise,
-                    m_parameters.correlation_of_shape);
+    return 1 - ramp(correlation, of_noise, m_parameters.correlation_of_shape);
   }
 
   // The noise level rests on quadrics of two rings, which know no edges and hide detail of the shape in the noise. Patches tell
-  // them apart, unless most of what they leave is shape: then a lower level makes patches that follow it. Where no level is low
-  // enough there is no noise. Returns whether the level has become much lower
+  // them apart, unless most of what they leave is shape: then a lower level makes patches that follow it. Where hardly any of
+  // the first level is left there is no noise. Returns whether the level has become much lower
   bool refine_noise_level(const std::size_t round, const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
                           std::vector<double> residuals)
   {
     add_what_patches_follow(residuals);
-    const double share = residuals_may_be_shape() ? share_of_noise(is_movable, neighbors, residuals) : 1;
-    m_residuals_are_shape = residuals_may_be_shape()
-                         && (share < m_parameters.least_share_of_noise
-                             || are_mostly_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable));
-    if(m_residuals_are_shape && round + 1 == m_parameters.shape_number_of_rounds)
+    double share = 1;
+    if(residuals_may_be_shape())
     {
-      m_noise = 0;
-      return true;
+      const double correlation = correlation_of_residuals(is_movable, neighbors, residuals);
+      share = share_of_noise(is_movable, correlation);
+      m_residuals_are_shape = share_of_noise(is_movable, correlation + 2 * error_of_statistics(is_movable))
+                              < m_parameters.least_share_of_noise
+                           || are_mostly_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable);
     }
-
     const double level = std::sqrt(share) * refined_level(is_movable, neighbors, std::move(residuals));
     if(m_residuals_are_shape)
     {
       const std::array<double, 2>& limits = m_parameters.refined_level_of_shape;
       m_noise = (std::min)((std::max)(level, limits[0] * m_noise), limits[1] * m_noise);
+      if(m_noise < m_parameters.least_share_of_first_level * m_first_noise)
+        m_noise = 0;
       return true;
     }
     if(round >= m_parameters.correction_number_of_rounds || !(level < m_parameters.refined_level_limit * m_noise))
@@ -353,11 +370,11 @@ private:
   }
 
   // Impulses leave the median of the residuals, on which the noise level rests, as it is: tails that are too heavy for it tell
-  // them, unless the shape makes them. Then the observed points lose what their residuals have too much, and the noise level is
-  // raised so that a pilot leaves nothing of what remains; later rounds see how much that is, and lower it, or need not.
-  // `original` keeps what was observed. Returns whether there is more to do
+  // them, unless the shape makes them, as where residuals `were_of_shape` the time before. Then the observed points lose what
+  // their residuals have too much, and the noise level is raised so that a pilot leaves nothing of what remains; later rounds
+  // see how much that is, and lower it, or need not. `original` keeps what was observed. Returns whether there is more to do
   bool remove_impulses(const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
-                       const std::vector<Vector_3>& normals, const std::vector<double>& residuals,
+                       const std::vector<Vector_3>& normals, const std::vector<double>& residuals, const bool were_of_shape,
                        std::vector<Point_3>& observed, std::vector<Point_3>& original)
   {
     const double median_deviation = median_of_absolutes(residuals, is_movable) / median_of_normal_distribution;
@@ -376,11 +393,13 @@ private:
     if(!m_has_impulses)
     {
       const double ratio = root_mean_square(m_parameters.largest_tail * median_deviation) / median_deviation;
+      const double least_share = were_of_shape ? m_parameters.least_share_of_impulses_in_shape
+                                               : m_parameters.least_share_of_impulses;
       if(!(ratio >= m_parameters.heavy_tail)
          || (residuals_may_be_shape()
-             && (are_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable, limit)
-                 || share_of_impulses<ConcurrencyTag>(neighbors, residuals, is_movable)
-                    < m_parameters.least_share_of_impulses)))
+             && (ratio < m_parameters.heavy_tail + error_of_statistics(is_movable) / 2
+                 || are_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable, limit)
+                 || share_of_impulses<ConcurrencyTag>(neighbors, residuals, is_movable) < least_share)))
         return false;
       m_has_impulses = true;
       m_noise = (std::min)(ratio * m_noise, m_parameters.maximal_correction
@@ -432,7 +451,7 @@ private:
       m_leverages = blend.leverages();
     }
     mesh.swap_points(points);
-    Normal_evolution<ConcurrencyTag>::move_to_agree(mesh, is_movable, m_face_normals, m_parameters.patch_number_of_moves);
+    move_to_agree(mesh, is_movable, m_parameters.patch_number_of_moves);
   }
 
   // of the patches that `mesh` holds
@@ -548,6 +567,7 @@ private:
   std::vector<double> m_leverages;    // of the patches
   std::vector<double> m_noise_shares; // of the result so far, see mixing.h
   std::vector<float> m_patch_shares;  // what each face has of the patches, in the result so far
+  double m_first_noise;               // before the patches told what it is
   bool m_may_be_free_of_noise = false;
   bool m_noise_turns_faces = false;
   bool m_vertices_slide = false;

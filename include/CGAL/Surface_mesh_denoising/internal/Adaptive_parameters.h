@@ -53,8 +53,7 @@ struct Adaptive_parameters
   double negligible_noise = 1e-4;
 
   // What the patches tell of the noise may send back to the pilot,
-  std::size_t correction_number_of_rounds = 2;
-  std::size_t shape_number_of_rounds = 5;       // so often while most of what they leave is shape; then there is no noise.
+  std::size_t correction_number_of_rounds = 2;  // or more while most of what they leave is shape.
   double shape_noise = 0.2;                     // Below this, what they leave may be shape
 
   // Where all seems to be shape, patches show noise if the level that they tell is less than so many times that which seemed,
@@ -66,7 +65,8 @@ struct Adaptive_parameters
   // Impulses: the root mean square of the residuals is more than so many times what their median tells of a normal
   // distribution. The noise then counts for as much more, but for no more than so many times its root mean square.
   double heavy_tail = 1.08;
-  double least_share_of_impulses = 8e-4;        // of the vertices stand alone, else weak noise has no impulses
+  double least_share_of_impulses = 8e-4;        // of the vertices stand alone, else weak noise has no impulses,
+  double least_share_of_impulses_in_shape = 0.015; // or so many where residuals have been mostly of shape
   double largest_tail = 10;                     // standard deviations, as the median tells them: beyond, residuals are cut,
   double largest_residual = 4;                  // and the observed points here
   double maximal_correction = 1.5;              // and in later rounds for just so many times that of what remains
@@ -76,6 +76,7 @@ struct Adaptive_parameters
   double refined_level_limit = 0.85;            // counts if it is less than so many times the level before,
   double least_refined_level = 0.5;             // but for no less than so many times that.
   std::array<double, 2> refined_level_of_shape = {{ 0.25, 0.5 }}; // Between these times that, while most is shape
+  double least_share_of_first_level = 0.1;      // with less of the level before any of this, there is no noise
   double least_rest_of_noise = 0.1;             // the share of the noise in the residual of a vertex
   // Only the share of the noise in the squares of the residuals counts, by the correlation of neighbors:
   double correlation_by_leverage = 0.35;        // minus this, times the root of the median leverage, where all is noise,
@@ -149,7 +150,8 @@ struct Adaptive_parameters
   std::size_t rings_around_first_seeds = 3;     // without another seed in so many rings, one less from round to round
   double tangential_weight = 0.03;              // holds a vertex in the directions that its patches leave free
   std::array<double, 2> noise_to_keep_to_pilot = {{ 1, 2 }}; // Between these times the height of triangles, from none to all
-  std::size_t patch_number_of_moves = 3;
+  std::size_t patch_number_of_moves = 5;
+  double turning_relaxation = 0.4;              // of these moves and of those in the end
 
   // Mixing. Local sums run over a window made by averaging over neighbors again and again.
   std::size_t window_number_of_averages = 80;
@@ -183,7 +185,6 @@ struct Adaptive_parameters
   // In the end the vertices move to agree with the normals that came with the result.
   double final_number_of_moves = 100;           // times noise,
   std::size_t final_least_number_of_moves = 6;  // or this where it is more
-  double final_overrelaxation = 1.5;
 
   // Faces that face against their surroundings
   std::size_t unfolding_number_of_rounds = 20;

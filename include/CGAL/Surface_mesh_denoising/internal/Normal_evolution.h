@@ -89,7 +89,10 @@ public:
     std::vector<double> areas;
     compute_face_normals<ConcurrencyTag>(mesh, m_normals, areas);
     filter(mesh, step, m_normals);
-    move_to_agree(mesh, is_movable, m_normals, step.number_of_moves);
+    std::vector<Point_3> points;
+    mesh.swap_points(points);
+    move_to_agree(mesh, points, is_movable, m_normals, step.number_of_moves);
+    mesh.swap_points(points);
   }
 
   // The same for `mesh` and for the mesh with its vertices at `other_points`, with the same weights, in little more time.
@@ -120,23 +123,12 @@ public:
     mesh.swap_points(points);
     std::vector<Vector_pair> positions;
     pair_up(points, other_points, positions);
-    move_to_agree(mesh, positions, is_movable, normals, step.number_of_moves, 1);
+    move_to_agree(mesh, positions, is_movable, normals, step.number_of_moves);
     for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
     {
       points[v] = ORIGIN + positions[v].first();
       other_points[v] = ORIGIN + positions[v].second();
     });
-    mesh.swap_points(points);
-  }
-
-  // Each vertex goes to the mean of its projections onto the planes through the centroids of its faces, or `factor` times as far,
-  // which saves moves. With more than 1.5 they need not converge
-  static void move_to_agree(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable,
-                            const std::vector<Vector_3>& normals, const std::size_t number_of_moves, const double factor = 1)
-  {
-    std::vector<Point_3> points;
-    mesh.swap_points(points);
-    move_to_agree(mesh, points, is_movable, normals, number_of_moves, factor);
     mesh.swap_points(points);
   }
 
@@ -149,11 +141,12 @@ private:
     { pairs[i] = Vector_pair(to_vector(first[i]), to_vector(second[i])); });
   }
 
-  // moves `points`; of `mesh` only the faces count
+  // Each of `points` goes to the mean of its projections onto the planes through the centroids of its faces. Of `mesh` only
+  // the faces count
   template <typename Point, typename Vector>
   static void move_to_agree(const Indexed_triangle_mesh& mesh, std::vector<Point>& points,
                             const std::vector<bool>& is_movable, const std::vector<Vector>& normals,
-                            const std::size_t number_of_moves, const double factor)
+                            const std::size_t number_of_moves)
   {
     typedef decltype(normals[0].squared_length()) Number;
 
@@ -177,7 +170,7 @@ private:
         Vector sum = 0. * p;
         for(const Index f : faces)
           sum += (offsets[f] - normals[f] * p) * normals[f];
-        moved[v] = points[v] + (factor / double(faces.size())) * sum;
+        moved[v] = points[v] + sum / double(faces.size());
       });
       points.swap(moved);
     }
