@@ -475,7 +475,10 @@ TEST(Adaptive_fitting, Large_residuals_that_lie_together_are_no_impulses)
     const auto are_of_shape = [&](const std::vector<double>& residuals)
     { return SMD::internal::are_of_shape<CGAL::Sequential_tag>(neighbors, residuals, counts, 4.); };
     const auto are_mostly_of_shape = [&](const std::vector<double>& residuals)
-    { return SMD::internal::are_mostly_of_shape<CGAL::Sequential_tag>(neighbors, residuals, counts); };
+    {
+      return SMD::internal::are_mostly_of_shape<CGAL::Sequential_tag>(
+        neighbors, residuals, counts, SMD::internal::quiet_places<CGAL::Sequential_tag>(neighbors, residuals, counts));
+    };
 
     for(unsigned int seed=0; seed<20; ++seed)
     {
@@ -1329,7 +1332,7 @@ Vectors turned_normals(const SMD::Indexed_triangle_mesh& mesh, const double degr
   std::vector<double> areas;
   SMD::internal::compute_face_normals<CGAL::Sequential_tag>(mesh, normals, areas);
   std::mt19937 random(3);
-  std::normal_distribution<double> slope(0, degrees * 3.14159265358979 / 180);
+  std::normal_distribution<double> slope(0, degrees * models::pi / 180);
   for(auto& n : normals)
   {
     const double x = slope(random), y = slope(random), z = slope(random);

@@ -311,31 +311,22 @@ private:
     add_what_patches_follow(residuals);
     const double level = refined_level(is_movable, neighbors, residuals);
     if(is_negligible(level) || !(level < m_parameters.level_of_hidden_noise * m_noise)
-       || median_of_absolutes(m_leverages, is_movable) > m_parameters.leverage_of_hidden_noise
-       || are_mostly_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable,
-                                              m_parameters.uniformity_of_hidden_noise))
+       || median_of_absolutes(m_leverages, is_movable) > m_parameters.leverage_of_hidden_noise)
       return false;
     const Quiet_places quiet = quiet_places<ConcurrencyTag>(neighbors, residuals, is_movable);
-    return correlation_of_neighbors<ConcurrencyTag>(neighbors, residuals, quiet.are_there)
+    return !are_mostly_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable, quiet,
+                                                m_parameters.uniformity_of_hidden_noise)
+        && correlation_of_neighbors<ConcurrencyTag>(neighbors, residuals, quiet.are_there)
          < m_parameters.correlation_of_hidden_noise;
   }
 
   // What patches leave of noise has opposite signs at neighbors, the more the patches follow it; what they leave of the shape
   // has the same sign, most of it at edges and in other places that are not quiet
-  double correlation_of_residuals(const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
-                                  const std::vector<double>& residuals) const
+  static double correlation_of_residuals(const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
+                                         const std::vector<double>& residuals, const Quiet_places& quiet)
   {
-    const Quiet_places quiet = quiet_places<ConcurrencyTag>(neighbors, residuals, is_movable);
     return (std::min)(correlation_of_neighbors<ConcurrencyTag>(neighbors, residuals, is_movable),
                       correlation_of_neighbors<ConcurrencyTag>(neighbors, residuals, quiet.are_there));
-  }
-
-  // The share of the noise in the squares of the residuals with this correlation
-  double share_of_noise(const std::vector<bool>& is_movable, const double correlation) const
-  {
-    const double of_noise = -m_parameters.correlation_by_leverage
-                          * std::sqrt(median_of_absolutes(m_leverages, is_movable));
-    return 1 - ramp(correlation, of_noise, m_parameters.correlation_of_shape);
   }
 
   // The noise level rests on quadrics of two rings, which know no edges and hide detail of the shape in the noise. Patches tell
@@ -348,11 +339,16 @@ private:
     double share = 1;
     if(residuals_may_be_shape())
     {
-      const double correlation = correlation_of_residuals(is_movable, neighbors, residuals);
-      share = share_of_noise(is_movable, correlation);
-      m_residuals_are_shape = share_of_noise(is_movable, correlation + 2 * error_of_statistics(is_movable))
+      const Quiet_places quiet = quiet_places<ConcurrencyTag>(neighbors, residuals, is_movable);
+      const double correlation = correlation_of_residuals(is_movable, neighbors, residuals, quiet);
+      const double correlation_of_noise = -m_parameters.correlation_by_leverage
+                                        * std::sqrt(median_of_absolutes(m_leverages, is_movable));
+      const auto share_of_noise = [&](const double c)
+      { return 1 - ramp(c, correlation_of_noise, m_parameters.correlation_of_shape); };
+      share = share_of_noise(correlation); // in the squares of the residuals
+      m_residuals_are_shape = share_of_noise(correlation + 2 * error_of_statistics(is_movable))
                               < m_parameters.least_share_of_noise
-                           || are_mostly_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable);
+                           || are_mostly_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable, quiet);
     }
     const double level = std::sqrt(share) * refined_level(is_movable, neighbors, std::move(residuals));
     if(m_residuals_are_shape)
@@ -395,10 +391,10 @@ private:
       const double ratio = root_mean_square(m_parameters.largest_tail * median_deviation) / median_deviation;
       const double least_share = were_of_shape ? m_parameters.least_share_of_impulses_in_shape
                                                : m_parameters.least_share_of_impulses;
-      if(!(ratio >= m_parameters.heavy_tail)
+      const double chance = residuals_may_be_shape() ? error_of_statistics(is_movable) / 2 : 0;
+      if(!(ratio >= m_parameters.heavy_tail + chance)
          || (residuals_may_be_shape()
-             && (ratio < m_parameters.heavy_tail + error_of_statistics(is_movable) / 2
-                 || are_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable, limit)
+             && (are_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable, limit)
                  || share_of_impulses<ConcurrencyTag>(neighbors, residuals, is_movable) < least_share)))
         return false;
       m_has_impulses = true;

@@ -224,13 +224,13 @@ bool are_of_shape(const Vertex_neighbors& neighbors, const std::vector<double>& 
 // Whether the shape makes most of the residuals: then even the others are no noise, which is nearly as strong everywhere
 template <typename ConcurrencyTag>
 bool are_mostly_of_shape(const Vertex_neighbors& neighbors, const std::vector<double>& residuals,
-                         const std::vector<bool>& counts, const double least_uniformity = 0.8)
+                         const std::vector<bool>& counts, const Quiet_places& quiet, const double least_uniformity = 0.8)
 {
   const double largest_correlation = 0.14;
 
   return correlation_of_sizes<ConcurrencyTag>(neighbors, residuals, counts, 4 * median_of_absolutes(residuals, counts))
            > largest_correlation
-      && quiet_places<ConcurrencyTag>(neighbors, residuals, counts).uniformity < least_uniformity;
+      && quiet.uniformity < least_uniformity;
 }
 
 // Detail of the shape, in a mesh without noise, makes residuals that are not uniform, and no impulses. Either they are small, or

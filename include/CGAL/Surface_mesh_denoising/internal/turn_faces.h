@@ -60,6 +60,19 @@ void turn_faces(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable
       }
   });
 
+  const auto corner_of = [&](const Index f, const std::size_t v)
+  {
+    const std::array<Index, 3>& t = mesh.vertices(f);
+    return std::size_t(std::find(t.begin(), t.end(), Index(v)) - t.begin());
+  };
+  std::vector<double> weights(mesh.number_of_vertices());
+  for_each_index<ConcurrencyTag>(weights.size(), [&](const std::size_t v)
+  {
+    weights[v] = 0;
+    for(const Index f : mesh.faces_around_vertex(v))
+      weights[v] += corners[f][corner_of(f, v)].weight;
+  });
+
   std::vector<std::array<double, 3> > rises(mesh.number_of_faces()); // to the planes that the normals tell, with the weights
   std::vector<Point_3> points = mesh.points();
   for(std::size_t k=0; k<number_of_moves; ++k)
@@ -79,19 +92,12 @@ void turn_faces(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable
     for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
     {
       points[v] = mesh.point(v);
-      if(!is_movable[v])
+      if(!is_movable[v] || !(weights[v] > 0))
         return;
       Vector_3 sum(0, 0, 0);
-      double weight = 0;
       for(const Index f : mesh.faces_around_vertex(v))
-      {
-        const std::array<Index, 3>& t = mesh.vertices(f);
-        const std::size_t i = std::find(t.begin(), t.end(), Index(v)) - t.begin();
-        sum += rises[f][i] * normals[f];
-        weight += corners[f][i].weight;
-      }
-      if(weight > 0)
-        points[v] = points[v] + (relaxation / weight) * sum;
+        sum += rises[f][corner_of(f, v)] * normals[f];
+      points[v] = points[v] + (relaxation / weights[v]) * sum;
     });
     mesh.swap_points(points);
   }
