@@ -1342,17 +1342,17 @@ Vectors turned_normals(const SMD::Indexed_triangle_mesh& mesh, const double degr
 }
 
 void turn_faces(SMD::Indexed_triangle_mesh& mesh, const Vectors& normals, const std::size_t number_of_moves,
-                const double relaxation)
+                const std::size_t moves_between_weights, const double relaxation)
 {
   SMD::internal::turn_faces<CGAL::Sequential_tag>(mesh, std::vector<bool>(mesh.number_of_vertices(), true), normals,
-                                                  number_of_moves, relaxation);
+                                                  number_of_moves, moves_between_weights, relaxation);
 }
 
 TEST(Turn_faces, Faces_that_have_their_normals_stay)
 {
   const SMD::Indexed_triangle_mesh mesh = indexed_mesh(irregular_mesh(models::torus, 500));
   SMD::Indexed_triangle_mesh moved = mesh;
-  turn_faces(moved, turned_normals(mesh, 0), 10, 0.4);
+  turn_faces(moved, turned_normals(mesh, 0), 10, 3, 0.4);
   for(std::size_t v=0; v<mesh.number_of_vertices(); ++v)
     EXPECT_LT(CGAL::squared_distance(moved.point(v), mesh.point(v)), 1e-24);
 }
@@ -1384,13 +1384,26 @@ TEST(Turn_faces, The_sum_of_squared_slopes_never_grows)
     for(const std::size_t number_of_moves : {1, 2, 3, 5, 10, 20, 50, 100})
     {
       SMD::Indexed_triangle_mesh mesh = original;
-      turn_faces(mesh, normals, number_of_moves, relaxation);
+      turn_faces(mesh, normals, number_of_moves, number_of_moves, relaxation);
       const double now = sum_of_slopes(mesh);
       EXPECT_LT(now, last);
       last = now;
     }
     EXPECT_LT(last, 0.6 * sum_of_slopes(original)); // there are more faces than vertices, so much remains
   }
+}
+
+TEST(Turn_faces, Weights_are_computed_anew)
+{
+  const SMD::Indexed_triangle_mesh original = indexed_mesh(irregular_mesh(models::cad_part, 1500));
+  const Vectors normals = turned_normals(original, 5);
+  SMD::Indexed_triangle_mesh together = original, apart = original, frozen = original;
+  turn_faces(together, normals, 6, 2, 0.5);
+  for(int i=0; i<3; ++i)
+    turn_faces(apart, normals, 2, 2, 0.5);
+  turn_faces(frozen, normals, 6, 6, 0.5);
+  EXPECT_EQ(together.points(), apart.points());
+  EXPECT_NE(together.points(), frozen.points());
 }
 
 TEST(Adaptive_fitting, Uneven_triangles_cost_little_on_smooth_shapes)

@@ -125,10 +125,10 @@ public:
                                                    std::size_t(m_parameters.final_number_of_moves * relative_noise()));
     if(m_parameters.reassign_faces)
     {
-      move_to_agree(mesh, is_movable, m_parameters.final_least_number_of_moves);
+      move_to_agree(mesh, is_movable, m_parameters.final_least_number_of_moves, m_parameters.final_relaxation);
       reassign_faces(mesh, given(), observed, is_movable, neighbors);
     }
-    move_to_agree(mesh, is_movable, number_of_moves);
+    move_to_agree(mesh, is_movable, number_of_moves, m_parameters.final_relaxation);
     if(m_parameters.unfold_faces)
       unfold_faces(mesh, observed, is_movable, neighbors);
     if(m_parameters.preserve_volume)
@@ -199,9 +199,11 @@ private:
     return true;
   }
 
-  void move_to_agree(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable, const std::size_t number_of_moves) const
+  void move_to_agree(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable, const std::size_t number_of_moves,
+                     const double relaxation) const
   {
-    turn_faces<ConcurrencyTag>(mesh, is_movable, m_face_normals, number_of_moves, m_parameters.turning_relaxation);
+    turn_faces<ConcurrencyTag>(mesh, is_movable, m_face_normals, number_of_moves, m_parameters.moves_between_weights,
+                               relaxation);
   }
 
   // Slides depend on where the pilot saw the edges: observed points take part in them with care
@@ -447,7 +449,7 @@ private:
       m_leverages = blend.leverages();
     }
     mesh.swap_points(points);
-    move_to_agree(mesh, is_movable, m_parameters.patch_number_of_moves);
+    move_to_agree(mesh, is_movable, m_parameters.patch_number_of_moves, m_parameters.patch_relaxation);
   }
 
   // of the patches that `mesh` holds
@@ -540,7 +542,7 @@ private:
     std::vector<Vector_3> mixed_normals;
     std::vector<double> areas;
     compute_face_normals<ConcurrencyTag>(mesh, mixed_normals, areas);
-    steady_normals_of_low_faces<ConcurrencyTag>(mesh, areas, m_parameters.mixed_error * m_noise,
+    steady_normals_of_low_faces<ConcurrencyTag>(mesh, areas, m_parameters.low_face_error * m_noise,
                                                 m_parameters.number_of_normal_averages, mixed_normals);
     replace_turned_normals<ConcurrencyTag>(mesh, areas, m_parameters.agreement, mixed_normals);
     for_each_index<ConcurrencyTag>(mesh.number_of_faces(), [&](const std::size_t f)

@@ -131,6 +131,11 @@ struct Adaptive_parameters
   std::array<std::size_t, 1> linear_global_band_ends = {{ 10 }};
   std::array<std::size_t, 3> linear_local_band_ends = {{ 40, 50, 80 }};
 
+  // Faces that are low beside the noise, in the points that patches grow over and in mixed ones, take the normals around them.
+  double low_face_error = 0.6;                  // Such a height, times noise, halves the share of their own;
+  std::array<double, 2> low_face_noise = {{ 0.3, 0.5 }}; // for patches it is less from the first noise on, zero at the second
+  std::size_t number_of_normal_averages = 3;
+
   // Patches
   double normal_weight = 150;
   std::array<std::size_t, 12> patch_sizes{{12, 18, 27, 40, 60, 90, 135, 200, 300, 450, 675, 1000}}; // faces
@@ -151,7 +156,8 @@ struct Adaptive_parameters
   double tangential_weight = 0.03;              // holds a vertex in the directions that its patches leave free
   std::array<double, 2> noise_to_keep_to_pilot = {{ 1, 2 }}; // Between these times the height of triangles, from none to all
   std::size_t patch_number_of_moves = 5;
-  double turning_relaxation = 0.4;              // of these moves and of those in the end
+  double patch_relaxation = 0.4;                // of these moves
+  std::size_t moves_between_weights = 5;        // The weights of these moves, and of those in the end, are anew once in so many
 
   // Mixing. Local sums run over a window made by averaging over neighbors again and again.
   std::size_t window_number_of_averages = 80;
@@ -164,9 +170,6 @@ struct Adaptive_parameters
   double unadapted_leverage = 0.016;            // that of large patches
   double adaptation_factor = 1.5;               // of what leverages have beyond, where noise is this or more,
   double full_adaptation_noise = 0.2;           // in the lengths of the edges there, and the less the weaker it is
-  // Faces that are low beside what is left of the noise in the mixed points take the normals around them.
-  double mixed_error = 0.3;                     // times noise
-  std::size_t number_of_normal_averages = 3;
 
   // Reassignment of faces
   double reassignment_edge_cosine = 0.8;        // that of the least angle of an edge,
@@ -185,6 +188,7 @@ struct Adaptive_parameters
   // In the end the vertices move to agree with the normals that came with the result.
   double final_number_of_moves = 100;           // times noise,
   std::size_t final_least_number_of_moves = 6;  // or this where it is more
+  double final_relaxation = 0.5;
 
   // Faces that face against their surroundings
   std::size_t unfolding_number_of_rounds = 20;

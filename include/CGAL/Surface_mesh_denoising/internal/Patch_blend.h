@@ -67,6 +67,11 @@ public:
     compute_face_normals<ConcurrencyTag>(mesh, m_normals, areas);
     if(!(m_extent > 0))
       return;
+    // strong noise makes low faces itself, everywhere
+    const std::array<double, 2>& limits = parameters.low_face_noise;
+    const double share = 1 - ramp(noise, limits[0] * mean_edge_length, limits[1] * mean_edge_length);
+    steady_normals_of_low_faces<ConcurrencyTag>(mesh, areas, share * parameters.low_face_error * noise,
+                                                parameters.number_of_normal_averages, m_normals);
     replace_turned_normals<ConcurrencyTag>(mesh, areas, parameters.agreement, m_normals);
 
     std::vector<std::array<Dual_edge, 3> > dual_edges;

@@ -200,7 +200,8 @@ double mean_height_of_faces(const Indexed_triangle_mesh& mesh, const Faces& face
 }
 
 // Points that are off by `error` turn a face the further, the lower it is. So a face takes the normal of the faces across its
-// edges, but for a share of its own that grows with its height. More averages reach through rows of low faces
+// edges, but for a share of its own that grows with its height, and is almost all where that is twice the error. More averages
+// reach through rows of low faces
 template <typename ConcurrencyTag>
 void steady_normals_of_low_faces(const Indexed_triangle_mesh& mesh, const std::vector<double>& areas, const double error,
                                  const std::size_t number_of_averages,
@@ -213,7 +214,7 @@ void steady_normals_of_low_faces(const Indexed_triangle_mesh& mesh, const std::v
   for_each_index<ConcurrencyTag>(shares.size(), [&](const std::size_t f)
   {
     const double height = height_of_face(mesh, f, areas);
-    shares[f] = (height > 0) ? 1 / (1 + std::pow(error / height, 2)) : 0;
+    shares[f] = (height > 0) ? 1 / (1 + std::pow(error / height, 4)) : 0;
   });
   const std::vector<Vector_3> own = normals;
   std::vector<Vector_3> averaged(normals.size());

@@ -25,11 +25,12 @@ namespace internal {
 // Vertices move along normals so that faces turn to them. How far a vertex is above the opposite edge, in the direction of the
 // normal, divided by its height in the triangle, is the slope that it gives the face: each vertex goes towards the least sum of
 // squared slopes. A face weighs as the square of its least height: so no weight is above one, and slivers, whose normals tell
-// little, do not rule their vertices. With `relaxation` below 2/3 the sum of all never grows.
+// little, do not rule their vertices. With `relaxation` below 2/3 the sum of all never grows while the weights stay, which are
+// computed anew once in so many moves.
 template <typename ConcurrencyTag>
 void turn_faces(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable,
                 const std::vector<Indexed_triangle_mesh::Vector_3>& normals, const std::size_t number_of_moves,
-                const double relaxation)
+                const std::size_t moves_between_weights, const double relaxation)
 {
   typedef Indexed_triangle_mesh::Index      Index;
   typedef Indexed_triangle_mesh::Point_3    Point_3;
@@ -40,43 +41,48 @@ void turn_faces(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable
     double weight = 0;
     double share = 0.5; // where the foot of the height is on the opposite edge
   };
-  std::vector<std::array<Corner, 3> > corners(mesh.number_of_faces());
-  for_each_index<ConcurrencyTag>(corners.size(), [&](const std::size_t f)
-  {
-    const std::array<Index, 3>& t = mesh.vertices(f);
-    std::array<Vector_3, 3> edges;
-    std::array<double, 3> squared_lengths;
-    for(int i=0; i<3; ++i)
-    {
-      edges[i] = mesh.point(t[(i+2)%3]) - mesh.point(t[(i+1)%3]);
-      squared_lengths[i] = edges[i].squared_length();
-    }
-    const double largest = *std::max_element(squared_lengths.begin(), squared_lengths.end());
-    for(int i=0; i<3; ++i)
-      if(squared_lengths[i] > 0)
-      {
-        corners[f][i].weight = squared_lengths[i] / largest; // heights are to each other as the inverses of the edges
-        corners[f][i].share = -(edges[(i+2)%3] * edges[i]) / squared_lengths[i];
-      }
-  });
-
   const auto corner_of = [&](const Index f, const std::size_t v)
   {
     const std::array<Index, 3>& t = mesh.vertices(f);
     return std::size_t(std::find(t.begin(), t.end(), Index(v)) - t.begin());
   };
+  std::vector<std::array<Corner, 3> > corners(mesh.number_of_faces());
   std::vector<double> weights(mesh.number_of_vertices());
-  for_each_index<ConcurrencyTag>(weights.size(), [&](const std::size_t v)
+  const auto update_weights = [&]()
   {
-    weights[v] = 0;
-    for(const Index f : mesh.faces_around_vertex(v))
-      weights[v] += corners[f][corner_of(f, v)].weight;
-  });
+    for_each_index<ConcurrencyTag>(corners.size(), [&](const std::size_t f)
+    {
+      const std::array<Index, 3>& t = mesh.vertices(f);
+      std::array<Vector_3, 3> edges;
+      std::array<double, 3> squared_lengths;
+      for(int i=0; i<3; ++i)
+      {
+        edges[i] = mesh.point(t[(i+2)%3]) - mesh.point(t[(i+1)%3]);
+        squared_lengths[i] = edges[i].squared_length();
+      }
+      const double largest = *std::max_element(squared_lengths.begin(), squared_lengths.end());
+      corners[f] = std::array<Corner, 3>();
+      for(int i=0; i<3; ++i)
+        if(squared_lengths[i] > 0)
+        {
+          corners[f][i].weight = squared_lengths[i] / largest; // heights are to each other as the inverses of the edges
+          corners[f][i].share = -(edges[(i+2)%3] * edges[i]) / squared_lengths[i];
+        }
+    });
+    for_each_index<ConcurrencyTag>(weights.size(), [&](const std::size_t v)
+    {
+      weights[v] = 0;
+      for(const Index f : mesh.faces_around_vertex(v))
+        weights[v] += corners[f][corner_of(f, v)].weight;
+    });
+  };
 
   std::vector<std::array<double, 3> > rises(mesh.number_of_faces()); // to the planes that the normals tell, with the weights
   std::vector<Point_3> points = mesh.points();
   for(std::size_t k=0; k<number_of_moves; ++k)
   {
+    if(k % moves_between_weights == 0)
+      update_weights();
     for_each_index<ConcurrencyTag>(rises.size(), [&](const std::size_t f)
     {
       const std::array<Index, 3>& t = mesh.vertices(f);
