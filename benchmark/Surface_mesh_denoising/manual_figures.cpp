@@ -253,6 +253,7 @@ void ablation(const std::string& title, const Mesh& mesh, const NamedParameters&
   run("refit_patches", np::refit_patches(false));
   run("use_gentle_path", np::use_gentle_path(false));
   run("use_linear_path", np::use_linear_path(false));
+  run("use_quadric_path", np::use_quadric_path(false));
   run("remove_tangential_noise", np::remove_tangential_noise(false));
   run("remove_impulses", np::remove_impulses(false));
   run("refine_noise_level", np::refine_noise_level(false));
@@ -282,7 +283,8 @@ int main(int argc, char* argv[])
       ablation(std::string(model) + "_in_all_directions", generated(model, 10000),
                np::noise_level(0.3).noise_direction(SMD::Noise_direction::RANDOM));
     ablation("cad_part_with_impulses", generated("cad_part", 10000), np::noise_level(0.5).noise_share(0.1));
-    ablation("coarse_cad_part", generated("cad_part", 1500), np::noise_level(0.05));
+    for(const char* model : { "cad_part", "organic_shape" })
+      ablation(std::string("coarse_") + model, generated(model, 1500), np::noise_level(0.05));
     const generated_models::Model uneven = generated_models::uneven(generated_model("organic_shape", 10000));
     ablation("uneven", generated_models::to_mesh<Mesh>(uneven), np::noise_level(0.3));
     parameters("cad_part", 5000);

@@ -865,6 +865,163 @@ TEST(Linear_path, Small_noise_is_not_for_Laplacian_smoothing)
   }
 }
 
+// what a quadric path starts from, and refers to
+struct Quadric_path_input
+{
+  typedef SMD::internal::Quadric_path<CGAL::Sequential_tag> Path;
+  typedef SMD::Indexed_triangle_mesh::Point_3               Point_3;
+  typedef SMD::Indexed_triangle_mesh::Vector_3              Vector_3;
+
+  SMD::Indexed_triangle_mesh mesh;
+  const std::vector<Point_3> observed;
+  std::vector<bool> is_movable;
+  std::vector<double> disturbances;
+  std::vector<Vector_3> normals;
+  const SMD::internal::Vertex_neighbors neighbors;
+  const SMD::internal::Adaptive_parameters parameters;
+
+  explicit Quadric_path_input(const Mesh& input)
+    : mesh(indexed_mesh(input)), observed(mesh.points()), is_movable(observed.size(), true),
+      disturbances(observed.size()), neighbors(mesh)
+  {
+    SMD::internal::compute_vertex_normals<CGAL::Sequential_tag>(mesh, normals);
+    std::mt19937 random(5);
+    for(double& d : disturbances)
+      d = std::uniform_real_distribution<double>(-0.1, 0.1)(random) * mesh.mean_edge_length<CGAL::Sequential_tag>();
+  }
+
+  Path path()
+  {
+    return Path(mesh, observed, is_movable, neighbors, normals, disturbances,
+                mesh.mean_edge_length<CGAL::Sequential_tag>(), parameters);
+  }
+};
+
+// one sum over all vertices for each vertex
+TEST(Quadric_path, Starts_with_mean_ways_to_planes)
+{
+  typedef Quadric_path_input::Point_3   Point_3;
+  typedef Quadric_path_input::Vector_3  Vector_3;
+
+  Quadric_path_input input(noisy_mesh(models::sphere, 500, 0.1));
+  const std::size_t n = input.observed.size();
+  const double unit = input.mesh.mean_edge_length<CGAL::Sequential_tag>(),
+               sigma = input.parameters.quadric_sigma * unit, radius = input.parameters.quadric_reach * sigma;
+  const auto mean_ways = [&](std::vector<Point_3> points)
+  {
+    std::vector<Vector_3> face_normals, vertex_normals;
+    std::vector<double> areas, disturbed_areas;
+    SMD::internal::compute_face_normals<CGAL::Sequential_tag>(input.mesh, face_normals, areas);
+    const std::vector<Point_3> p = points;
+    input.mesh.swap_points(points);
+    SMD::internal::compute_face_normals<CGAL::Sequential_tag>(input.mesh, face_normals, disturbed_areas);
+    SMD::internal::compute_vertex_normals<CGAL::Sequential_tag>(input.mesh, face_normals, disturbed_areas, vertex_normals);
+    input.mesh.swap_points(points);
+    std::vector<Vector_3> ways;
+    for(std::size_t v=0; v<n; ++v)
+    {
+      Vector_3 sum(0, 0, 0);
+      double sum_of_weights = 0;
+      for(std::size_t w=0; w<n; ++w)
+      {
+        const double d = squared_distance(input.observed[v], input.observed[w]);
+        if(d > radius * radius)
+          continue;
+        for(const auto f : input.mesh.faces_around_vertex(w))
+        {
+          const auto& t = input.mesh.vertices(f);
+          const double weight = areas[f] * std::exp(-d / (2 * sigma * sigma));
+          Vector_3 normal = vertex_normals[t[0]] + vertex_normals[t[1]] + vertex_normals[t[2]];
+          normal = normal / std::sqrt(normal.squared_length());
+          sum += weight * (normal * (CGAL::centroid(p[t[0]], p[t[1]], p[t[2]]) - p[v])) * normal;
+          sum_of_weights += weight;
+        }
+      }
+      ways.push_back(sum / sum_of_weights);
+    }
+    return ways;
+  };
+  std::vector<Point_3> disturbed = input.observed;
+  for(std::size_t v=0; v<n; ++v)
+    disturbed[v] = disturbed[v] + input.disturbances[v] * input.normals[v];
+  const std::vector<Vector_3> ways = mean_ways(input.observed), disturbed_ways = mean_ways(disturbed);
+  const auto smoothed = [&](const std::size_t v, const auto& height)
+  {
+    double sum = 0;
+    for(const auto w : input.neighbors(v))
+      sum += height(w);
+    return height(v) / 3 + 2. / 3 * sum / double(input.neighbors(v).size());
+  };
+
+  auto path = input.path();
+  path.go_to(1);
+  for(std::size_t v=0; v<n; ++v)
+  {
+    const auto height = [&](const std::size_t w) { return -(input.normals[w] * ways[w]); };
+    const auto difference = [&](const std::size_t w) { return input.normals[w] * (disturbed_ways[w] - ways[w]); };
+    const Point_3 expected = input.observed[v] + ways[v] + smoothed(v, height) * input.normals[v];
+    EXPECT_LT(std::sqrt(squared_distance(path.point(v), expected)), 1e-5 * unit);
+    const double left = input.disturbances[v] + difference(v) - smoothed(v, difference);
+    EXPECT_NEAR(path.noise_share(v), input.disturbances[v] * left, 1e-5 * unit * unit);
+  }
+}
+
+// a grid of uneven triangles in a plane; its border stays, and so do fixed vertices
+TEST(Quadric_path, A_plane_and_fixed_vertices_stay)
+{
+  const std::size_t side = 20;
+  for(const double noise : {0., 0.1})
+  {
+    std::mt19937 random(7);
+    Mesh plane;
+    std::vector<Vertex> vertices;
+    std::uniform_real_distribution<double> uniform(-0.3, 0.3);
+    for(std::size_t i=0; i<side*side; ++i)
+    {
+      const double x = double(i % side) + uniform(random), y = double(i / side) + uniform(random);
+      vertices.push_back(plane.add_vertex(Point(x, y, 0.5 * x - y + noise * uniform(random))));
+    }
+    for(std::size_t i=0; i+side<side*side; ++i)
+      if(i % side != side - 1)
+      {
+        plane.add_face(vertices[i], vertices[i+1], vertices[i+side]);
+        plane.add_face(vertices[i+1], vertices[i+side+1], vertices[i+side]);
+      }
+    Quadric_path_input input(plane);
+    for(std::size_t v=0; v<input.is_movable.size(); ++v)
+      input.is_movable[v] = (v % 7 != 0);
+    auto path = input.path();
+    path.go_to(input.parameters.quadric_local_band_ends.back());
+    for(std::size_t v=0; v<input.observed.size(); ++v)
+    {
+      const double way = std::sqrt(squared_distance(path.point(v), input.observed[v]));
+      if(!input.is_movable[v] || !input.neighbors.is_inside(v))
+        EXPECT_EQ(way, 0);
+      else if(noise == 0)
+        EXPECT_LT(way, 1e-5);
+      else
+        EXPECT_GT(way, 0);
+    }
+  }
+}
+
+TEST(Quadric_path, Keeps_the_radius_of_a_sphere)
+{
+  Quadric_path_input input(irregular_mesh(models::sphere, 3000));
+  auto path = input.path();
+  for(const std::size_t end : input.parameters.quadric_local_band_ends)
+  {
+    path.go_to(end);
+    double sum = 0, before = 0;
+    for(std::size_t v=0; v<input.observed.size(); ++v)
+    {
+      sum += std::sqrt((path.point(v) - CGAL::ORIGIN).squared_length());
+      before += std::sqrt((input.observed[v] - CGAL::ORIGIN).squared_length());
+    }
+    EXPECT_NEAR(sum / before, 1, 1e-4);
+  }
+}
+
 TEST(Linear_path, Helps_where_triangles_are_smaller_than_the_noise)
 {
   double sum_of_ratios = 0, sum_of_distance_ratios = 0;
@@ -1419,6 +1576,16 @@ TEST(Adaptive_fitting, Uneven_triangles_keep_edges)
   EXPECT_LT(sum / 4, 7);
 }
 
+// where results are mixed, low triangles must not pay for what the others gain
+TEST(Adaptive_fitting, Uneven_triangles_stay_smooth)
+{
+  const Mesh truth = uneven_mesh(models::sphere);
+  double sum = 0;
+  for(const unsigned int seed : {1, 2, 3})
+    sum += error(denoised(with_noise(truth, 0.1, seed)), truth);
+  EXPECT_LT(sum / 3, 1.5);
+}
+
 TEST(Adaptive_fitting, Uneven_triangles_cost_little_on_smooth_shapes)
 {
   const auto error_on = [](const Mesh& truth) { return error(denoised(with_noise(truth, 0.05)), truth); };
@@ -1470,6 +1637,10 @@ TEST(Adaptive_fitting, Each_switch_has_an_effect)
   const Mesh cube = irregular_mesh(models::cube, 6000), noisy_cube = with_noise(cube, 0.4);
   EXPECT_GT(error(denoised(noisy_cube, params::use_adaptive_degree(false)), cube),
             1.1 * error(denoised(noisy_cube), cube));
+
+  const Mesh bent = irregular_mesh(models::organic_shape, 1500), noisy_bent = with_noise(bent, 0.05);
+  EXPECT_LT(error(denoised(noisy_bent), bent),
+            0.97 * error(denoised(noisy_bent, params::use_quadric_path(false)), bent));
 
   const Mesh detail = irregular_mesh(models::organic_shape, 6000), noisy_detail = with_noise(detail, 0.3);
   EXPECT_LT(error(denoised(noisy_detail), detail),

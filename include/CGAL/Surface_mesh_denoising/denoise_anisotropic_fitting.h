@@ -82,6 +82,7 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
   adaptive.refit_patches = choose_parameter(get_parameter(np, internal_np::refit_patches), true);
   adaptive.use_gentle_path = choose_parameter(get_parameter(np, internal_np::use_gentle_path), true);
   adaptive.use_linear_path = choose_parameter(get_parameter(np, internal_np::use_linear_path), true);
+  adaptive.use_quadric_path = choose_parameter(get_parameter(np, internal_np::use_quadric_path), true);
   adaptive.remove_tangential_noise
     = choose_parameter(get_parameter(np, internal_np::remove_tangential_noise), true);
   adaptive.remove_impulses = choose_parameter(get_parameter(np, internal_np::remove_impulses), true);
@@ -117,9 +118,10 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *   `anisotropic_neighborhood()`, grows over the pilot as long as that promises to lower the error of the fit; so does the
 *   choice between a plane and a quadratic surface. Patches overlap, and each vertex goes where those over it agree best. They are
 *   <em>fitted again</em>, with the first ones in place of the pilot.
-* - A <em>gentle path</em>, many small steps with wide ranges, makes a second result that spares small detail, and a <em>linear
+* - A <em>gentle path</em>, many small steps with wide ranges, makes a second result that spares small detail, a <em>linear
 *   path</em>, Taubin's smoothing \cgalCite{cgal:t-spafs-95}, a third one that needs no normals, for where triangles are smaller than the
-*   noise. Stein's unbiased risk estimate tells, from the noisy mesh alone, how much of what a path took away was shape, and which
+*   noise, and a <em>quadric path</em>, means of the planes around \cgalCite{cgal:jdd-nfms-03}, a fourth one for weak noise on smooth
+*   shapes that bend within few triangles. Stein's unbiased risk estimate tells, from the noisy mesh alone, how much of what a path took away was shape, and which
 *   result is closer to the true surface in each part of the mesh. They are mixed accordingly.
 * - Faces at edges are <em>reassigned</em>: they take over the plane on the other side where that explains the given points better.
 *   Noise that turns no faces over is along the normals, which tells the sides better.
@@ -206,6 +208,14 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *     \cgalParamType{Boolean}
 *     \cgalParamDefault{`true`}
 *     \cgalParamExtra{It matters where triangles are smaller than the noise, as in meshes with triangles of very different sizes.}
+*   \cgalParamNEnd
+*   \cgalParamNBegin{use_quadric_path}
+*     \cgalParamDescription{Adaptive method: whether the result so far is mixed with that of the quadric path. That is not made where the
+*                           noise is more than about a third of the heights of the triangles, or there are impulses.}
+*     \cgalParamType{Boolean}
+*     \cgalParamDefault{`true`}
+*     \cgalParamExtra{It matters where noise is weak and a smooth surface bends within few triangles. There, the run takes
+*                     about a seventh longer.}
 *   \cgalParamNEnd
 *   \cgalParamNBegin{remove_tangential_noise}
 *     \cgalParamDescription{Adaptive method: whether vertices slide along the surface to where triangles are even, if turned faces show that there

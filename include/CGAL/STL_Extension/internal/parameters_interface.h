@@ -40,6 +40,7 @@ CGAL_add_named_parameter(use_adaptive_degree_t, use_adaptive_degree, use_adaptiv
 CGAL_add_named_parameter(refit_patches_t, refit_patches, refit_patches)
 CGAL_add_named_parameter(use_gentle_path_t, use_gentle_path, use_gentle_path)
 CGAL_add_named_parameter(use_linear_path_t, use_linear_path, use_linear_path)
+CGAL_add_named_parameter(use_quadric_path_t, use_quadric_path, use_quadric_path)
 CGAL_add_named_parameter(remove_tangential_noise_t, remove_tangential_noise, remove_tangential_noise)
 CGAL_add_named_parameter(remove_impulses_t, remove_impulses, remove_impulses)
 CGAL_add_named_parameter(refine_noise_level_t, refine_noise_level, refine_noise_level)

@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_denoising/internal/Normal_evolution.h>
 #include <CGAL/Surface_mesh_denoising/internal/Patch_blend.h>
 #include <CGAL/Surface_mesh_denoising/internal/Path_estimate.h>
+#include <CGAL/Surface_mesh_denoising/internal/Quadric_path.h>
 #include <CGAL/Surface_mesh_denoising/internal/Vertex_neighbors.h>
 #include <CGAL/Surface_mesh_denoising/internal/keep_volume.h>
 #include <CGAL/Surface_mesh_denoising/internal/mixing.h>
@@ -29,6 +30,8 @@
 #include <CGAL/Surface_mesh_denoising/internal/sine_key.h>
 #include <CGAL/Surface_mesh_denoising/internal/tangential_noise.h>
 #include <CGAL/Surface_mesh_denoising/internal/turn_faces.h>
+
+#include <boost/range/irange.hpp>
 
 #include <algorithm>
 #include <array>
@@ -119,7 +122,7 @@ public:
       fit_patches(mesh, observed, is_movable, m_parameters.first_patches_error, m_parameters.last_patches_effort);
 
     m_patch_shares.assign(mesh.number_of_faces(), 1);
-    if(m_parameters.use_gentle_path || m_parameters.use_linear_path)
+    if(m_parameters.use_gentle_path || m_parameters.use_linear_path || m_parameters.use_quadric_path)
       mix_with_paths(mesh, observed, is_movable, neighbors);
     const std::size_t number_of_moves = (std::max)(m_parameters.final_least_number_of_moves,
                                                    std::size_t(m_parameters.final_number_of_moves * relative_noise()));
@@ -467,8 +470,8 @@ private:
     });
   }
 
-  // Patches are best where the surface is made of smooth pieces, the gentle path where it is full of detail, and the linear
-  // one where triangles are smaller than the noise
+  // Patches are best where the surface is made of smooth pieces, the gentle path where it is full of detail, the linear one
+  // where triangles are smaller than the noise, and the quadric one where the surface is smooth but bent within few of them
   void mix_with_paths(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed,
                       const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors)
   {
@@ -504,6 +507,38 @@ private:
                       return Linear_path<ConcurrencyTag>(mesh, observed, is_movable, neighbors, disturbances, m_noise,
                                                          m_parameters);
                     }, m_parameters.linear_global_band_ends, m_parameters.linear_local_band_ends);
+    if(m_parameters.use_quadric_path && !m_has_impulses
+       && m_noise < m_parameters.quadric_largest_noise * mean_height_of_all_faces(mesh))
+      mix_with_path([&]()
+                    {
+                      return Quadric_path<ConcurrencyTag>(mesh, observed, is_movable, neighbors, normals, disturbances,
+                                                          m_mean_edge_length, m_parameters);
+                    }, m_parameters.quadric_global_band_ends, m_parameters.quadric_local_band_ends);
+  }
+
+  // The lower the triangles around a vertex are, the further its error turns them. The mean is about one
+  std::vector<float> importance_of_vertices(const Indexed_triangle_mesh& mesh) const
+  {
+    const double least_height = m_parameters.least_height_of_importance * m_noise;
+    std::vector<float> importance(mesh.number_of_vertices());
+    for_each_index<ConcurrencyTag>(importance.size(), [&](const std::size_t v)
+    {
+      const double height = mean_height_of_faces(mesh, mesh.faces_around_vertex(v),
+                                                 [&](const Index f) { return mesh.area(f); });
+      importance[v] = float(m_mean_edge_length / std::sqrt(height * height + least_height * least_height));
+    });
+    const double mean = sum<ConcurrencyTag>(importance.size(), [&](const std::size_t v) { return double(importance[v]); })
+                      / double(importance.size());
+    const std::array<double, 2>& limits = m_parameters.limits_of_importance;
+    for_each_index<ConcurrencyTag>(importance.size(), [&](const std::size_t v)
+    { importance[v] = float((std::min)((std::max)(importance[v] / mean, limits[0]), limits[1])); });
+    return importance;
+  }
+
+  static double mean_height_of_all_faces(const Indexed_triangle_mesh& mesh)
+  {
+    return mean_height_of_faces(mesh, boost::irange(std::size_t(0), mesh.number_of_faces()),
+                                [&](const std::size_t f) { return mesh.area(f); });
   }
 
   // mixes the result so far with another estimate, which has nothing to say where it has not left the observed points
@@ -524,8 +559,10 @@ private:
       moments[v].products[0] = float((observed[v] - mesh.point(v)) * normals[v] * difference - noise_share);
       moments[v].squares[0] = float(difference * difference);
     });
+    const std::vector<float> importance = importance_of_vertices(mesh);
     std::vector<std::array<float, 1> > weights
-      = local_weights<ConcurrencyTag>(neighbors, m_parameters, m_noise * m_noise, m_parameters.mixing_penalty, moments);
+      = local_weights<ConcurrencyTag>(neighbors, m_parameters, m_noise * m_noise, m_parameters.mixing_penalty,
+                                      [&](const std::size_t v) { return importance[v]; }, moments);
 
     std::vector<Point_3> points(n);
     for_each_index<ConcurrencyTag>(n, [&](const std::size_t v)

@@ -42,6 +42,7 @@ struct Adaptive_parameters
   bool refit_patches = true;
   bool use_gentle_path = true;
   bool use_linear_path = true;
+  bool use_quadric_path = true;
   bool remove_tangential_noise = true;
   bool remove_impulses = true;
   bool refine_noise_level = true;
@@ -131,6 +132,16 @@ struct Adaptive_parameters
   std::array<std::size_t, 1> linear_global_band_ends = {{ 10 }};
   std::array<std::size_t, 3> linear_local_band_ends = {{ 40, 50, 80 }};
 
+  // The quadric path
+  double quadric_largest_noise = 0.35;          // times the mean height of triangles: beyond, other results are better
+  double quadric_sigma = 1;                     // of the Gaussian weights,
+  double quadric_reach = 2.25;                  // times which is the radius of neighborhoods,
+  std::size_t quadric_largest_neighborhood = 200; // or they end with the ring that brings so many vertices
+  std::size_t quadric_steps_by_average = 4;     // one more average of the quadrics in so many steps,
+  std::size_t quadric_maximal_number_of_averages = 3; // up to this
+  std::array<std::size_t, 1> quadric_global_band_ends = {{ 1 }};
+  std::array<std::size_t, 3> quadric_local_band_ends = {{ 3, 7, 15 }};
+
   // Faces that are low beside the noise, in the points that patches grow over and in mixed ones, take the normals around them.
   double low_face_error = 0.6;                  // Such a height, times noise, halves the share of their own;
   std::array<double, 2> low_face_noise = {{ 0.3, 0.5 }}; // for patches it is less from the first noise on, zero at the second
@@ -164,6 +175,8 @@ struct Adaptive_parameters
   double window_points_per_average = 6.2;       // the window then has about so many points for each average
   double band_penalty = 3;                      // how far local weights keep to that of the whole mesh
   double mixing_penalty = 32;                   // that of two estimates
+  double least_height_of_importance = 0.3;      // Vertices count by the inverse heights of triangles, beside this times noise,
+  std::array<double, 2> limits_of_importance = {{ 0.25, 4 }}; // within these limits around the mean
   double mesh_penalty = 8;                      // how far the weight of the whole mesh keeps to zero
   // The fits of patches follow the noise by their leverages, and where their sizes were chosen to follow detail, they follow
   // the noise by that choice, too: less where noise is weak, as detail leaves little to choose there.

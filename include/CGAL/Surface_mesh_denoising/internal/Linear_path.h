@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_denoising/internal/mixing.h>
 #include <CGAL/Surface_mesh_denoising/internal/normals.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
+#include <CGAL/Surface_mesh_denoising/internal/smooth_over_neighbors.h>
 
 #include <Eigen/Core>
 
@@ -78,7 +79,7 @@ public:
     const auto go_on = [&](const std::size_t step, const auto& shares)
     {
       if(m_step < step)
-        smooth(step - m_step, shares, m_states);
+        smooth_over_neighbors<ConcurrencyTag>(m_neighbors, m_is_movable, step - m_step, shares, m_states);
       m_step = (std::max)(m_step, step);
     };
     go_on((std::min)(end, last), m_parameters.lambda_mu);
@@ -105,30 +106,6 @@ private:
 
   Point_3 smoothed_point(const std::size_t v) const { return Point_3(m_states[v][0], m_states[v][1], m_states[v][2]); }
 
-  // In each step the values at vertices go by these shares, one after the other, of the way to the mean of their neighbors'
-  template <typename Shares, typename Value>
-  void smooth(const std::size_t number_of_steps, const Shares& shares, std::vector<Value>& values) const
-  {
-    typedef typename Value::Scalar Number;
-
-    std::vector<Value> next(values.size());
-    for(std::size_t k=0; k<number_of_steps; ++k)
-      for(const double share : shares)
-      {
-        for_each_index<ConcurrencyTag>(values.size(), [&](const std::size_t v)
-        {
-          next[v] = values[v];
-          if(!m_is_movable[v] || !m_neighbors.is_inside(v))
-            return;
-          Value sum = Value::Zero();
-          for(const Index w : m_neighbors(v))
-            sum += values[w];
-          next[v] += Number(share) * (sum / Number(m_neighbors(v).size()) - values[v]);
-        });
-        values.swap(next);
-      }
-  }
-
   void compute_heights(const std::size_t number_of_steps)
   {
     const std::size_t n = m_states.size();
@@ -149,7 +126,8 @@ private:
       m_heights[v] = Height(float((m_observed[v] - smoothed_point(v)) * m_normals[v]),
                             float(m_disturbances[v] - m_states[v][3]));
     });
-    smooth(number_of_steps, m_parameters.laplacian_shares, m_heights);
+    smooth_over_neighbors<ConcurrencyTag>(m_neighbors, m_is_movable, number_of_steps, m_parameters.laplacian_shares,
+                                          m_heights);
   }
 
   // by the mean height of the triangles around a vertex

@@ -97,8 +97,9 @@ Estimate estimate_along(Path& path, const std::vector<Indexed_triangle_mesh::Poi
     });
   }
 
-  const auto weights
-    = local_weights<ConcurrencyTag>(neighbors, parameters, noise * noise, parameters.band_penalty, moments);
+  const auto equal_importance = [](std::size_t) { return 1.; };
+  const auto weights = local_weights<ConcurrencyTag>(neighbors, parameters, noise * noise, parameters.band_penalty,
+                                                     equal_importance, moments);
   for_each_index<ConcurrencyTag>(n, [&](const std::size_t v)
   {
     estimate.noise_shares[v] += fine.noise_shares[v];

@@ -106,12 +106,12 @@ double weight_of_mesh(const std::size_t number_of_vertices, const Product& produ
   return shrunk((std::min)(1., (std::max)(0., p / s)), s, squared_noise, parameters.mesh_penalty);
 }
 
-// The weight t, in [0, 1], of the fine estimate at each vertex. That of a window keeps to that of the whole mesh as far as
-// its deviation may be chance. Uses up the moments
-template <typename ConcurrencyTag, std::size_t N>
+// The weight t, in [0, 1], of the fine estimate at each vertex. That of a window, where vertices count by `importance(v)`, keeps
+// to that of the whole mesh as far as its deviation may be chance. Uses up the moments
+template <typename ConcurrencyTag, typename Importance, std::size_t N>
 std::vector<std::array<float, N> >
 local_weights(const Vertex_neighbors& neighbors, const Adaptive_parameters& parameters, const double squared_noise,
-              const double penalty, std::vector<Mixing_moments<N> >& moments)
+              const double penalty, const Importance& importance, std::vector<Mixing_moments<N> >& moments)
 {
   std::array<double, N> means;
   for(std::size_t i=0; i<N; ++i)
@@ -120,6 +120,17 @@ local_weights(const Vertex_neighbors& neighbors, const Adaptive_parameters& para
                                               [&](const std::size_t v) { return double(moments[v].squares[i]); },
                                               squared_noise, parameters);
 
+  // from here on, products are those of the deviation from the weight of the whole mesh
+  for_each_index<ConcurrencyTag>(moments.size(), [&](const std::size_t v)
+  {
+    const float factor = float(importance(v));
+    for(std::size_t i=0; i<N; ++i)
+    {
+      Mixing_moments<N>& m = moments[v];
+      m.products[i] = factor * (m.products[i] - float(means[i]) * m.squares[i]);
+      m.squares[i] *= factor;
+    }
+  });
   average_over_neighbors<ConcurrencyTag>(neighbors, parameters.window_number_of_averages, moments);
 
   const double points_in_window = parameters.window_points_per_average * double(parameters.window_number_of_averages);
@@ -131,7 +142,7 @@ local_weights(const Vertex_neighbors& neighbors, const Adaptive_parameters& para
       const double square = moments[v].squares[i];
       double t = means[i];
       if(square > 0)
-        t += shrunk(moments[v].products[i] / square - t, points_in_window * square, squared_noise, penalty);
+        t += shrunk(moments[v].products[i] / square, points_in_window * square, squared_noise, penalty);
       weights[v][i] = float((std::min)(1., (std::max)(0., t)));
     }
   });

@@ -191,7 +191,7 @@ template <typename Faces, typename Area>
 double mean_height_of_faces(const Indexed_triangle_mesh& mesh, const Faces& faces, const Area& area)
 {
   double sum_of_areas = 0, sum_of_lengths = 0;
-  for(const Indexed_triangle_mesh::Index f : faces)
+  for(const auto f : faces)
   {
     sum_of_areas += area(f);
     sum_of_lengths += mesh.longest_edge_length(f);
