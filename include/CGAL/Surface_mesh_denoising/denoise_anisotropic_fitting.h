@@ -121,8 +121,8 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 * - A <em>gentle path</em>, many small steps with wide ranges, makes a second result that spares small detail, a <em>linear
 *   path</em>, Taubin's smoothing \cgalCite{cgal:t-spafs-95}, a third one that needs no normals, for where triangles are smaller than the
 *   noise, and a <em>quadric path</em>, means of the planes around \cgalCite{cgal:jdd-nfms-03}, a fourth one for weak noise on smooth
-*   shapes that bend within few triangles. Stein's unbiased risk estimate tells, from the noisy mesh alone, how much of what a path took away was shape, and which
-*   result is closer to the true surface in each part of the mesh. They are mixed accordingly.
+*   shapes that bend within few triangles. Stein's unbiased risk estimate tells, from the noisy mesh alone, how much of what a path
+*   took away was shape, and which result is closer to the true surface in each part of the mesh. They are mixed accordingly.
 * - Faces at edges are <em>reassigned</em>: they take over the plane on the other side where that explains the given points better.
 *   Noise that turns no faces over is along the normals, which tells the sides better.
 * - <em>Tangential noise</em> turns faces over, by which it is told from noise along the normals. Where it does, vertices slide, before patches
