@@ -215,7 +215,7 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *     \cgalParamType{Boolean}
 *     \cgalParamDefault{`true`}
 *     \cgalParamExtra{It matters where noise is weak and a smooth surface bends within few triangles. There, the run takes
-*                     about a seventh longer.}
+*                     up to a fifth longer.}
 *   \cgalParamNEnd
 *   \cgalParamNBegin{remove_tangential_noise}
 *     \cgalParamDescription{Adaptive method: whether vertices slide along the surface to where triangles are even, if turned faces show that there

@@ -236,11 +236,7 @@ private:
     if(m_number_of_averages > 0)
       return normals;
     compute_vertex_normals<ConcurrencyTag>(m_mesh, normals, areas, vertex_normals);
-    for_each_index<ConcurrencyTag>(normals.size(), [&](const std::size_t f)
-    {
-      const std::array<Index, 3>& t = m_mesh.vertices(f);
-      normals[f] = normalized_or(vertex_normals[t[0]] + vertex_normals[t[1]] + vertex_normals[t[2]], normals[f]);
-    });
+    average_vertex_normals<ConcurrencyTag>(m_mesh, vertex_normals, normals);
     return normals;
   }
 
