@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -129,13 +130,9 @@ private:
   void find_neighborhoods()
   {
     const std::size_t n = m_observed.size();
-    {
-      std::vector<Point_3> points = m_observed;
-      std::vector<Vector_3> normals;
-      m_mesh.swap_points(points);
-      compute_face_normals<ConcurrencyTag>(m_mesh, normals, m_face_areas);
-      m_mesh.swap_points(points);
-    }
+    m_face_areas.resize(m_mesh.number_of_faces());
+    for_each_index<ConcurrencyTag>(m_face_areas.size(), [&](const std::size_t f)
+    { m_face_areas[f] = 0.5 * std::sqrt(area_vector(m_mesh, f, m_observed).squared_length()); });
     m_vertex_areas.resize(n);
     const double unit = m_mean_edge_length * m_mean_edge_length;
     for_each_index<ConcurrencyTag>(n, [&](const std::size_t v)
