@@ -479,7 +479,8 @@ private:
     compute_vertex_normals<ConcurrencyTag>(mesh, normals);
     const std::vector<double> disturbances = make_disturbances(mesh, observed, is_movable);
     compute_noise_shares(mesh, neighbors);
-    const auto mix_with_path = [&](const auto& make_path, const auto& global_band_ends, const auto& local_band_ends)
+    const auto mix_with_path = [&](const auto& make_path, const auto& global_band_ends, const auto& local_band_ends,
+                                   const Preference& preference)
     {
       Estimate estimate;
       {
@@ -493,27 +494,30 @@ private:
           estimate.points[v] = estimate.points[v] - path.least_weight(v, local_band_ends.back()) * way;
         });
       }
-      mix(mesh, observed, normals, neighbors, estimate);
+      mix(mesh, observed, normals, neighbors, preference, estimate);
     };
+    const Preference preference = { m_parameters.mesh_penalty, 0 };
     if(m_parameters.use_gentle_path)
       mix_with_path([&]()
                     {
                       return Gentle_path<ConcurrencyTag>(mesh, observed, is_movable, neighbors, normals, disturbances,
                                                          m_normal_deviations, m_noise, m_mean_edge_length, m_parameters);
-                    }, m_parameters.gentle_global_band_ends, m_parameters.gentle_local_band_ends);
+                    }, m_parameters.gentle_global_band_ends, m_parameters.gentle_local_band_ends, preference);
     if(m_parameters.use_linear_path)
       mix_with_path([&]()
                     {
                       return Linear_path<ConcurrencyTag>(mesh, observed, is_movable, neighbors, disturbances, m_noise,
                                                          m_parameters);
-                    }, m_parameters.linear_global_band_ends, m_parameters.linear_local_band_ends);
+                    }, m_parameters.linear_global_band_ends, m_parameters.linear_local_band_ends, preference);
     if(m_parameters.use_quadric_path && !m_has_impulses
        && m_noise < m_parameters.quadric_largest_noise * mean_height_of_all_faces(mesh))
       mix_with_path([&]()
                     {
                       return Quadric_path<ConcurrencyTag>(mesh, observed, is_movable, neighbors, normals, disturbances,
                                                           m_mean_edge_length, m_parameters);
-                    }, m_parameters.quadric_global_band_ends, m_parameters.quadric_local_band_ends);
+                    }, m_parameters.quadric_global_band_ends, m_parameters.quadric_local_band_ends,
+                    Preference{ m_parameters.mesh_penalty_of_quadric_path,
+                                m_parameters.advantage_over_quadric_path });
   }
 
   // The lower the triangles around a vertex are, the further its error turns them. The mean is about one
@@ -541,9 +545,26 @@ private:
                                 [&](const std::size_t f) { return mesh.area(f); });
   }
 
+  // of the result so far over an estimate
+  struct Preference
+  {
+    double mesh_penalty; // see mixing.h
+    double advantage;    // of patches, in squared distances, times noise^2
+  };
+
+  // what the faces around vertex `v` have of the patches
+  double patch_share(const Indexed_triangle_mesh& mesh, const std::size_t v) const
+  {
+    const auto faces = mesh.faces_around_vertex(v);
+    double sum = 0;
+    for(const Index f : faces)
+      sum += m_patch_shares[f];
+    return faces.empty() ? 0 : sum / double(faces.size());
+  }
+
   // mixes the result so far with another estimate, which has nothing to say where it has not left the observed points
   void mix(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed, const std::vector<Vector_3>& normals,
-           const Vertex_neighbors& neighbors, Estimate& estimate)
+           const Vertex_neighbors& neighbors, const Preference& preference, Estimate& estimate)
   {
     const std::size_t n = mesh.number_of_vertices();
     std::vector<Mixing_moments<1> > moments(n);
@@ -555,13 +576,15 @@ private:
         estimate.noise_shares[v] = m_noise_shares[v];
       }
       const double difference = (estimate.points[v] - mesh.point(v)) * normals[v];
-      const double noise_share = estimate.noise_shares[v] - m_noise_shares[v];
+      const double noise_share = estimate.noise_shares[v] - m_noise_shares[v]
+                               + preference.advantage * patch_share(mesh, v) * m_noise * m_noise;
       moments[v].products[0] = float((observed[v] - mesh.point(v)) * normals[v] * difference - noise_share);
       moments[v].squares[0] = float(difference * difference);
     });
     const std::vector<float> importance = importance_of_vertices(mesh);
     std::vector<std::array<float, 1> > weights
-      = local_weights<ConcurrencyTag>(neighbors, m_parameters, m_noise * m_noise, m_parameters.mixing_penalty,
+      = local_weights<ConcurrencyTag>(neighbors, m_parameters, m_noise * m_noise,
+                                      Mixing_penalties{ preference.mesh_penalty, m_parameters.mixing_penalty },
                                       [&](const std::size_t v) { return importance[v]; }, moments);
 
     std::vector<Point_3> points(n);

@@ -137,10 +137,10 @@ struct Adaptive_parameters
   double quadric_sigma = 1;                     // of the Gaussian weights,
   double quadric_reach = 2.25;                  // times which is the radius of neighborhoods,
   std::size_t quadric_largest_neighborhood = 200; // or they end with the ring that brings so many vertices
-  std::size_t quadric_steps_by_average = 4;     // one more average of the quadrics in so many steps,
-  std::size_t quadric_maximal_number_of_averages = 3; // up to this
+  std::size_t quadric_delay_of_normal_averages = 2; // after so many steps, each averages the normals of planes once more,
+  std::size_t quadric_steps_by_average = 10;    // and one in so many averages the quadrics once more
   std::array<std::size_t, 1> quadric_global_band_ends = {{ 1 }};
-  std::array<std::size_t, 3> quadric_local_band_ends = {{ 3, 7, 15 }};
+  std::array<std::size_t, 4> quadric_local_band_ends = {{ 3, 5, 7, 10 }};
 
   // Faces that are low beside the noise, in the points that patches grow over and in mixed ones, take the normals around them.
   double low_face_error = 0.6;                  // Such a height, times noise, halves the share of their own;
@@ -177,7 +177,9 @@ struct Adaptive_parameters
   double mixing_penalty = 32;                   // that of two estimates
   double least_height_of_importance = 0.3;      // Vertices count by the inverse heights of triangles, beside this times noise,
   std::array<double, 2> limits_of_importance = {{ 0.25, 4 }}; // within these limits around the mean
-  double mesh_penalty = 8;                      // how far the weight of the whole mesh keeps to zero
+  double mesh_penalty = 8;                      // how far the weight of the whole mesh keeps to zero,
+  double mesh_penalty_of_quadric_path = 2;      // and that of the quadric path, which is good where it is made at all;
+  double advantage_over_quadric_path = 0.03;    // but at the same distance from the surface patches have better angles
   // The fits of patches follow the noise by their leverages, and where their sizes were chosen to follow detail, they follow
   // the noise by that choice, too: less where noise is weak, as detail leaves little to choose there.
   double unadapted_leverage = 0.016;            // that of large patches

@@ -73,7 +73,7 @@ Estimate estimate_along(Path& path, const std::vector<Indexed_triangle_mesh::Poi
   for(const std::size_t end : global_band_ends)
   {
     path.go_to(end);
-    const double t = weight_of_mesh<ConcurrencyTag>(n, product, square, noise * noise, parameters);
+    const double t = weight_of_mesh<ConcurrencyTag>(n, product, square, noise * noise, parameters.mesh_penalty);
     for_each_index<ConcurrencyTag>(n, [&](const std::size_t v)
     {
       given_back[v] += t * difference(v);
@@ -98,8 +98,9 @@ Estimate estimate_along(Path& path, const std::vector<Indexed_triangle_mesh::Poi
   }
 
   const auto equal_importance = [](std::size_t) { return 1.; };
-  const auto weights = local_weights<ConcurrencyTag>(neighbors, parameters, noise * noise, parameters.band_penalty,
-                                                     equal_importance, moments);
+  const Mixing_penalties penalties = { parameters.mesh_penalty, parameters.band_penalty };
+  const auto weights = local_weights<ConcurrencyTag>(neighbors, parameters, noise * noise, penalties, equal_importance,
+                                                     moments);
   for_each_index<ConcurrencyTag>(n, [&](const std::size_t v)
   {
     estimate.noise_shares[v] += fine.noise_shares[v];

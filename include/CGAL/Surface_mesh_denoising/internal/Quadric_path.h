@@ -34,10 +34,10 @@ namespace internal {
 
 // A path for surfaces that are smooth but bent within few triangles, see Path_estimate.h. The planes of the triangles around
 // it tell a vertex where it ought to be (Jones, Durand, Desbrun): that leaves less noise than many small steps, as the weights
-// fall smoothly with the distance, whatever the triangles are like. The planes come as quadrics, which are averaged over
-// neighborhoods (Legrand, Thiery, Boubekeur), so that averages of averages reach further; then, the planes are those of the
-// triangles of the path so far. Where the surface bends, all this leaves vertices on one side of it: the heights of the
-// observed points above them, smoothed, are given back.
+// fall smoothly with the distance, whatever the triangles are like. The normals of the planes are averages, of more and more
+// triangles from step to step. The planes come as quadrics, which are averaged over neighborhoods (Legrand, Thiery,
+// Boubekeur), so that averages of averages reach further. Where the surface bends, all this leaves vertices on one side of it:
+// the heights of the observed points above them, smoothed, are given back.
 //
 // Vertices at borders stay, and the quadrics of their triangles do not count.
 template <typename ConcurrencyTag>
@@ -62,6 +62,8 @@ public:
       m_disturbed[v] = observed[v] + disturbances[v] * normals[v];
       m_states[v].disturbance = disturbances[v];
     });
+    compute_normals(m_disturbed, m_disturbed_normals);
+    compute_normals(observed, m_face_normals); // the last, as the areas are to be those of the observed points
     find_neighborhoods();
   }
 
@@ -74,18 +76,15 @@ public:
   // each step smooths the heights once more
   void go_to(const std::size_t end)
   {
-    const std::size_t number_of_averages = (std::min)(1 + end / m_parameters.quadric_steps_by_average,
-                                                      m_parameters.quadric_maximal_number_of_averages);
-    if(number_of_averages != m_number_of_averages)
+    const std::size_t delay = m_parameters.quadric_delay_of_normal_averages;
+    const std::size_t number_of_normal_averages = (end > delay) ? end - delay : 1;
+    const std::size_t number_of_averages = 1 + end / m_parameters.quadric_steps_by_average;
+    if(number_of_normal_averages != m_number_of_normal_averages || number_of_averages != m_number_of_averages)
     {
-      std::vector<Point_3> points(m_states.size()), disturbed(m_states.size());
-      for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
-      {
-        points[v] = point(v);
-        disturbed[v] = points[v] + m_states[v].disturbance * m_normals[v];
-      });
-      m_ways = ways_to_planes(m_observed, points, number_of_averages);
-      m_disturbed_ways = ways_to_planes(m_disturbed, disturbed, number_of_averages);
+      const std::size_t number_of_further_ones = number_of_normal_averages - m_number_of_normal_averages;
+      m_ways = ways_to_planes(m_observed, number_of_further_ones, number_of_averages, m_face_normals);
+      m_disturbed_ways = ways_to_planes(m_disturbed, number_of_further_ones, number_of_averages, m_disturbed_normals);
+      m_number_of_normal_averages = number_of_normal_averages;
       m_number_of_averages = number_of_averages;
     }
 
@@ -127,12 +126,17 @@ private:
 
   bool moves(const std::size_t v) const { return m_is_movable[v] && m_neighbors.is_inside(v); }
 
+  // and the areas of the faces
+  void compute_normals(std::vector<Point_3> points, std::vector<Vector_3>& normals)
+  {
+    m_mesh.swap_points(points);
+    compute_face_normals<ConcurrencyTag>(m_mesh, normals, m_face_areas);
+    m_mesh.swap_points(points);
+  }
+
   void find_neighborhoods()
   {
     const std::size_t n = m_observed.size();
-    m_face_areas.resize(m_mesh.number_of_faces());
-    for_each_index<ConcurrencyTag>(m_face_areas.size(), [&](const std::size_t f)
-    { m_face_areas[f] = 0.5 * std::sqrt(area_vector(m_mesh, f, m_observed).squared_length()); });
     m_vertex_areas.resize(n);
     const double unit = m_mean_edge_length * m_mean_edge_length;
     for_each_index<ConcurrencyTag>(n, [&](const std::size_t v)
@@ -189,11 +193,17 @@ private:
       block.weights[i] = (sum > 0) ? float(block.weights[i] / sum) : 0.f;
   }
 
-  // The mean ways from `points` to the planes around, with the normals that the triangles of `smooth_points` have
-  std::vector<Vector_3> ways_to_planes(const std::vector<Point_3>& points, std::vector<Point_3>& smooth_points,
-                                       const std::size_t number_of_averages) const
+  // the mean ways from `points` to the planes around, once the normals are averaged so many further times
+  std::vector<Vector_3> ways_to_planes(const std::vector<Point_3>& points, const std::size_t number_of_normal_averages,
+                                       const std::size_t number_of_averages, std::vector<Vector_3>& face_normals) const
   {
-    std::vector<Quadric> quadrics = make_quadrics(points, face_normals(smooth_points)), means(quadrics.size());
+    std::vector<Vector_3> vertex_normals;
+    for(std::size_t k=0; k<number_of_normal_averages; ++k)
+    {
+      compute_vertex_normals<ConcurrencyTag>(m_mesh, face_normals, m_face_areas, vertex_normals);
+      average_vertex_normals<ConcurrencyTag>(m_mesh, vertex_normals, face_normals);
+    }
+    std::vector<Quadric> quadrics = make_quadrics(points, face_normals), means(quadrics.size());
     for(std::size_t k=0; k<number_of_averages; ++k)
     {
       for_each_index<ConcurrencyTag>(m_blocks.size(), [&](const std::size_t b)
@@ -220,21 +230,6 @@ private:
     for_each_index<ConcurrencyTag>(ways.size(), [&](const std::size_t v)
     { ways[v] = Vector_3(quadrics[v](0, 3), quadrics[v](1, 3), quadrics[v](2, 3)); });
     return ways;
-  }
-
-  // Those of the observed points are too noisy for planes: they become those of the vertices
-  std::vector<Vector_3> face_normals(std::vector<Point_3>& points) const
-  {
-    std::vector<Vector_3> normals, vertex_normals;
-    std::vector<double> areas;
-    m_mesh.swap_points(points);
-    compute_face_normals<ConcurrencyTag>(m_mesh, normals, areas);
-    m_mesh.swap_points(points);
-    if(m_number_of_averages > 0)
-      return normals;
-    compute_vertex_normals<ConcurrencyTag>(m_mesh, normals, areas, vertex_normals);
-    average_vertex_normals<ConcurrencyTag>(m_mesh, vertex_normals, normals);
-    return normals;
   }
 
   std::vector<Quadric> make_quadrics(const std::vector<Point_3>& points, const std::vector<Vector_3>& normals) const
@@ -272,6 +267,8 @@ private:
   std::vector<State> m_states;
   std::vector<double> m_face_areas, m_vertex_areas; // of the observed points; those of vertices in the square of the unit
   std::vector<Neighborhoods> m_blocks;
+  std::vector<Vector_3> m_face_normals, m_disturbed_normals; // averages of those of the faces
+  std::size_t m_number_of_normal_averages = 0;
   std::vector<Vector_3> m_ways, m_disturbed_ways;
   std::size_t m_number_of_averages = 0;
 };

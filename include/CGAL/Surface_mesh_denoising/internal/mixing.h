@@ -98,27 +98,34 @@ inline double shrunk(const double deviation, const double square, const double s
 // are the moments at vertex v
 template <typename ConcurrencyTag, typename Product, typename Square>
 double weight_of_mesh(const std::size_t number_of_vertices, const Product& product, const Square& square,
-                      const double squared_noise, const Adaptive_parameters& parameters)
+                      const double squared_noise, const double penalty)
 {
   const double p = sum<ConcurrencyTag>(number_of_vertices, product), s = sum<ConcurrencyTag>(number_of_vertices, square);
   if(!(s > 0))
     return 0;
-  return shrunk((std::min)(1., (std::max)(0., p / s)), s, squared_noise, parameters.mesh_penalty);
+  return shrunk((std::min)(1., (std::max)(0., p / s)), s, squared_noise, penalty);
 }
+
+// How far weights keep to others
+struct Mixing_penalties
+{
+  double mesh;  // that of the whole mesh to zero
+  double local; // those of windows to that of the whole mesh
+};
 
 // The weight t, in [0, 1], of the fine estimate at each vertex. That of a window, where vertices count by `importance(v)`, keeps
 // to that of the whole mesh as far as its deviation may be chance. Uses up the moments
 template <typename ConcurrencyTag, typename Importance, std::size_t N>
 std::vector<std::array<float, N> >
 local_weights(const Vertex_neighbors& neighbors, const Adaptive_parameters& parameters, const double squared_noise,
-              const double penalty, const Importance& importance, std::vector<Mixing_moments<N> >& moments)
+              const Mixing_penalties& penalties, const Importance& importance, std::vector<Mixing_moments<N> >& moments)
 {
   std::array<double, N> means;
   for(std::size_t i=0; i<N; ++i)
     means[i] = weight_of_mesh<ConcurrencyTag>(moments.size(),
                                               [&](const std::size_t v) { return double(moments[v].products[i]); },
                                               [&](const std::size_t v) { return double(moments[v].squares[i]); },
-                                              squared_noise, parameters);
+                                              squared_noise, penalties.mesh);
 
   // from here on, products are those of the deviation from the weight of the whole mesh
   for_each_index<ConcurrencyTag>(moments.size(), [&](const std::size_t v)
@@ -142,7 +149,7 @@ local_weights(const Vertex_neighbors& neighbors, const Adaptive_parameters& para
       const double square = moments[v].squares[i];
       double t = means[i];
       if(square > 0)
-        t += shrunk(moments[v].products[i] / square, points_in_window * square, squared_noise, penalty);
+        t += shrunk(moments[v].products[i] / square, points_in_window * square, squared_noise, penalties.local);
       weights[v][i] = float((std::min)(1., (std::max)(0., t)));
     }
   });
