@@ -62,8 +62,9 @@ public:
       m_disturbed[v] = observed[v] + disturbances[v] * normals[v];
       m_states[v].disturbance = disturbances[v];
     });
-    compute_normals(m_disturbed, m_disturbed_normals);
-    compute_normals(observed, m_face_normals); // the last, as the areas are to be those of the observed points
+    std::vector<double> ignored_areas;
+    compute_normals(m_disturbed, m_disturbed_normals, ignored_areas);
+    compute_normals(observed, m_face_normals, m_face_areas);
     find_neighborhoods();
   }
 
@@ -82,8 +83,10 @@ public:
     if(number_of_normal_averages != m_number_of_normal_averages || number_of_averages != m_number_of_averages)
     {
       const std::size_t number_of_further_ones = number_of_normal_averages - m_number_of_normal_averages;
-      m_ways = ways_to_planes(m_observed, number_of_further_ones, number_of_averages, m_face_normals);
-      m_disturbed_ways = ways_to_planes(m_disturbed, number_of_further_ones, number_of_averages, m_disturbed_normals);
+      average_normals(number_of_further_ones, m_face_normals);
+      average_normals(number_of_further_ones, m_disturbed_normals);
+      m_ways = ways_to_planes(m_observed, m_face_normals, number_of_averages);
+      m_disturbed_ways = ways_to_planes(m_disturbed, m_disturbed_normals, number_of_averages);
       m_number_of_normal_averages = number_of_normal_averages;
       m_number_of_averages = number_of_averages;
     }
@@ -126,12 +129,21 @@ private:
 
   bool moves(const std::size_t v) const { return m_is_movable[v] && m_neighbors.is_inside(v); }
 
-  // and the areas of the faces
-  void compute_normals(std::vector<Point_3> points, std::vector<Vector_3>& normals)
+  void compute_normals(std::vector<Point_3> points, std::vector<Vector_3>& normals, std::vector<double>& areas) const
   {
     m_mesh.swap_points(points);
-    compute_face_normals<ConcurrencyTag>(m_mesh, normals, m_face_areas);
+    compute_face_normals<ConcurrencyTag>(m_mesh, normals, areas);
     m_mesh.swap_points(points);
+  }
+
+  void average_normals(const std::size_t number_of_times, std::vector<Vector_3>& normals) const
+  {
+    std::vector<Vector_3> vertex_normals;
+    for(std::size_t k=0; k<number_of_times; ++k)
+    {
+      compute_vertex_normals<ConcurrencyTag>(m_mesh, normals, m_face_areas, vertex_normals);
+      average_vertex_normals<ConcurrencyTag>(m_mesh, vertex_normals, normals);
+    }
   }
 
   void find_neighborhoods()
@@ -193,16 +205,10 @@ private:
       block.weights[i] = (sum > 0) ? float(block.weights[i] / sum) : 0.f;
   }
 
-  // the mean ways from `points` to the planes around, once the normals are averaged so many further times
-  std::vector<Vector_3> ways_to_planes(const std::vector<Point_3>& points, const std::size_t number_of_normal_averages,
-                                       const std::size_t number_of_averages, std::vector<Vector_3>& face_normals) const
+  // the mean ways from `points` to the planes around
+  std::vector<Vector_3> ways_to_planes(const std::vector<Point_3>& points, const std::vector<Vector_3>& face_normals,
+                                       const std::size_t number_of_averages) const
   {
-    std::vector<Vector_3> vertex_normals;
-    for(std::size_t k=0; k<number_of_normal_averages; ++k)
-    {
-      compute_vertex_normals<ConcurrencyTag>(m_mesh, face_normals, m_face_areas, vertex_normals);
-      average_vertex_normals<ConcurrencyTag>(m_mesh, vertex_normals, face_normals);
-    }
     std::vector<Quadric> quadrics = make_quadrics(points, face_normals), means(quadrics.size());
     for(std::size_t k=0; k<number_of_averages; ++k)
     {
