@@ -15,6 +15,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Aff_transformation_3.h>
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/transform.h>
 #include <CGAL/boost/graph/generators.h>
@@ -332,6 +333,42 @@ TEST(Adaptive_fitting, Small_smooth_meshes_without_noise_come_back)
     const Mesh mesh = models::to_mesh<Mesh>(models::star_shaped(options, radius));
     EXPECT_LT(error(denoised(mesh), mesh), 0.5) << "with seed " << seed;
   }
+}
+
+// as linear interpolation on grids leaves them
+TEST(Adaptive_fitting, Vertices_on_chords_come_back)
+{
+  const double radius_of_tube = 0.3;
+  const auto torus = [&](const models::Options& options)
+  {
+    models::Patchwork patchwork;
+    patchwork.add(2 * models::pi, 2 * models::pi * radius_of_tube, [&](const double u, const double v)
+    {
+      const double a = 2 * models::pi * u, b = 2 * models::pi * v, r = 1 + radius_of_tube * std::cos(b);
+      return models::Point(r * std::cos(a), r * std::sin(a), radius_of_tube * std::sin(b));
+    });
+    return models::to_mesh<Mesh>(patchwork.sew(options));
+  };
+  for(const std::size_t number_of_vertices : {800, 1500, 3000})
+    for(const unsigned int seed : {1, 2, 3})
+    {
+      models::Options options;
+      options.number_of_vertices = number_of_vertices;
+      options.triangles = models::Triangles::IRREGULAR;
+      options.seed = seed;
+      Mesh mesh = torus(options);
+      const double length = mean_edge_length(mesh);
+      std::mt19937 random(seed);
+      for(const Vertex v : mesh.vertices())
+      {
+        const double t = double(random()) / 4294967296.;
+        mesh.point(v) = mesh.point(v) - t * (1 - t) * length * length / (2 * radius_of_tube)
+                                        * PMP::compute_vertex_normal(v, mesh);
+      }
+      EXPECT_LT(error(denoised(mesh), mesh), 0.5) << number_of_vertices << " with seed " << seed;
+      const Mesh noisy = with_noise(mesh, 0.05);
+      EXPECT_LT(error(denoised(noisy), mesh), 0.5 * error(noisy, mesh)) << number_of_vertices << " with seed " << seed;
+    }
 }
 
 TEST(Adaptive_fitting, Is_better_than_the_iterative_method)

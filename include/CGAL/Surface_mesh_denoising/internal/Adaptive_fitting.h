@@ -280,7 +280,8 @@ private:
     for_each_index<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
     { residuals[v] = (observed[v] - mesh.point(v)) * normals[v]; });
 
-    if(round == 0 && m_may_be_free_of_noise && !are_of_noise_after_all(is_movable, neighbors, residuals))
+    if(round == 0 && ((m_may_be_free_of_noise && !are_of_noise_after_all(is_movable, neighbors, residuals))
+                      || (m_parameters.refine_noise_level && are_of_triangulation(mesh, is_movable, residuals))))
     {
       m_noise = 0;
       return true;
@@ -290,6 +291,25 @@ private:
       return true;
     return m_parameters.refine_noise_level && !m_has_impulses
            && refine_noise_level(round, is_movable, neighbors, std::move(residuals));
+  }
+
+  static double root_mean_square(const std::vector<bool>& is_movable, const std::vector<double>& residuals, const double limit)
+  {
+    const double squares = sum<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
+    {
+      const double r = is_movable[v] ? (std::min)(std::abs(residuals[v]), limit) : 0;
+      return r * r;
+    });
+    return std::sqrt(squares / double(std::count(is_movable.begin(), is_movable.end(), true)));
+  }
+
+  // Vertices of level sets of functions on grids lie on chords: what they are off is no more than triangles leave of the shape
+  bool are_of_triangulation(const Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable,
+                            const std::vector<double>& residuals) const
+  {
+    return residuals_may_be_shape()
+        && root_mean_square(is_movable, residuals, (std::numeric_limits<double>::max)())
+         < m_parameters.triangulation_noise * median_sagitta(mesh, m_face_normals);
   }
 
   // to the residuals: the share of the noise that their leverages tell
@@ -379,21 +399,13 @@ private:
                        std::vector<Point_3>& observed, std::vector<Point_3>& original)
   {
     const double median_deviation = median_of_absolutes(residuals, is_movable) / median_of_normal_distribution;
-    const double number = double(std::count(is_movable.begin(), is_movable.end(), true));
-    const auto root_mean_square = [&](const double limit)
-    {
-      return std::sqrt(sum<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
-      {
-        const double r = is_movable[v] ? (std::min)(std::abs(residuals[v]), limit) : 0;
-        return r * r;
-      }) / number);
-    };
+    const auto size_of_residuals = [&](const double limit) { return root_mean_square(is_movable, residuals, limit); };
     if(!(median_deviation > 0))
       return false;
     const double limit = m_parameters.largest_residual * median_deviation;
     if(!m_has_impulses)
     {
-      const double ratio = root_mean_square(m_parameters.largest_tail * median_deviation) / median_deviation;
+      const double ratio = size_of_residuals(m_parameters.largest_tail * median_deviation) / median_deviation;
       const double least_share = were_of_shape ? m_parameters.least_share_of_impulses_in_shape
                                                : m_parameters.least_share_of_impulses;
       const double chance = residuals_may_be_shape() ? error_of_statistics(is_movable) / 2 : 0;
@@ -404,11 +416,11 @@ private:
         return false;
       m_has_impulses = true;
       m_noise = (std::min)(ratio * m_noise, m_parameters.maximal_correction
-                                            * root_mean_square((std::numeric_limits<double>::max)()));
+                                            * size_of_residuals((std::numeric_limits<double>::max)()));
     }
     else
     {
-      const double noise = m_parameters.maximal_correction * root_mean_square(limit);
+      const double noise = m_parameters.maximal_correction * size_of_residuals(limit);
       if(!(noise < m_noise))
         return false;
       m_noise = noise;

@@ -63,6 +63,10 @@ struct Adaptive_parameters
   double uniformity_of_hidden_noise = 0.7;      // what they leave is no less uniform than this or does not lie together,
   double correlation_of_hidden_noise = 0.1;     // and neighbors in quiet places have less in common than this.
 
+  // Residuals whose root mean square is less than so many times the median height of an arc of the shape over an edge are those
+  // of the triangulation, and there is no noise.
+  double triangulation_noise = 2;
+
   // Impulses: the root mean square of the residuals is more than so many times what their median tells of a normal
   // distribution. The noise then counts for as much more, but for no more than so many times its root mean square.
   double heavy_tail = 1.08;

@@ -364,6 +364,27 @@ bool is_made_of_planes(const Indexed_triangle_mesh& mesh, const std::vector<bool
   return true;
 }
 
+// What triangles leave of a smooth surface that has the given normals of faces: the height of an arc over its chord across an
+// edge, the median of all edges
+inline double median_sagitta(const Indexed_triangle_mesh& mesh, const std::vector<Indexed_triangle_mesh::Vector_3>& face_normals)
+{
+  typedef Indexed_triangle_mesh::Index Index;
+
+  std::vector<double> sagittas;
+  for(std::size_t f=0; f<mesh.number_of_faces(); ++f)
+    for(int i=0; i<3; ++i)
+    {
+      const Index g = mesh.neighbors(f)[i];
+      const double length = mesh.edge_length(f, i);
+      if(g == Indexed_triangle_mesh::null_index() || g < f || !(length > 0))
+        continue;
+      const double chord = (mesh.area(f) + mesh.area(g)) / length;
+      const double angle = std::acos((std::min)(1., (std::max)(-1., face_normals[f] * face_normals[g])));
+      sagittas.push_back(chord * angle / 8);
+    }
+  return median_of_absolutes(sagittas, std::vector<bool>(sagittas.size(), true));
+}
+
 struct Noise_estimate
 {
   double level;       // the standard deviation along the normals, in the unit of the coordinates
