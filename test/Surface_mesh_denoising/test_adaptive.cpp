@@ -1675,6 +1675,14 @@ TEST(Adaptive_fitting, Uneven_triangles_stay_smooth)
   EXPECT_LT(sum / 3, 1.5);
 }
 
+// where what patches tell of the bends in single triangles is noise, and cancels without it
+TEST(Adaptive_fitting, Regular_triangles_of_bent_surfaces_come_out_smooth)
+{
+  const Mesh truth = regular_mesh(models::torus, 1500);
+  EXPECT_LT(error(denoised(with_noise(truth, 0.05)), truth), 0.58);
+  EXPECT_LT(error(denoised(with_noise(truth, 0.1)), truth), 0.91);
+}
+
 TEST(Adaptive_fitting, Uneven_triangles_cost_little_on_smooth_shapes)
 {
   const auto error_on = [](const Mesh& truth) { return error(denoised(with_noise(truth, 0.05)), truth); };

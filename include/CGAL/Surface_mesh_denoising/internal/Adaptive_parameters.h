@@ -119,6 +119,7 @@ struct Adaptive_parameters
   double gentle_maximal_growth = 3;             // each of the two grows by no more than this
   double largest_range = 1.5;
   double largest_normal_deviation = 0.2;        // of a face from the surface that it is part of
+  double deviation_by_noise = 0.4;              // the way of a vertex by those, times noise leverage^(3/2) of patches
   std::size_t gentle_number_of_steps = 19;      // and then one step of relaxation
   std::array<std::size_t, 3> gentle_global_band_ends = {{ 1, 2, 4 }};
   std::array<std::size_t, 5> gentle_local_band_ends = {{ 6, 9, 13, 19, 20 }};

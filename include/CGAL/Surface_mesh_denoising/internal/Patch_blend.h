@@ -98,7 +98,8 @@ public:
   }
 
   // How far the normals of faces are from those of the patches at their centroids, as patches bend; zero where triangles are
-  // so coarse beside the bends that it means nothing
+  // so coarse beside the bends that it means nothing. Where triangles are regular deviations cancel at each vertex, and only
+  // what noise makes of them remains: all shrink by the share of that
   std::vector<Vector_3> normal_deviations() const
   {
     std::vector<Vector_3> deviations(m_normals.size());
@@ -109,6 +110,8 @@ public:
       const double limit = m_parameters.largest_normal_deviation;
       deviations[f] = (d.squared_length() <= limit * limit) ? d : Vector_3(0, 0, 0);
     });
+    const double share = share_of_shape(deviations);
+    for_each_index<ConcurrencyTag>(deviations.size(), [&](const std::size_t f) { deviations[f] = share * deviations[f]; });
     return deviations;
   }
 
@@ -181,6 +184,28 @@ private:
     std::vector<Face_term> faces;
     std::vector<Vertex_term> vertices;
   };
+
+  // The share of the shape in the squared ways that vertices go to agree with normals that deviate. The noise in these ways is
+  // that of second derivatives, which goes as the leverages of fits to the power of 3/2
+  double share_of_shape(const std::vector<Vector_3>& deviations) const
+  {
+    const double squares = sum<ConcurrencyTag>(m_mesh.number_of_vertices(), [&](const std::size_t v)
+    {
+      const auto faces = m_mesh.faces_around_vertex(v);
+      if(faces.empty())
+        return 0.;
+      double way = 0;
+      for(const Index f : faces)
+        way += deviations[f] * (m_geometry.centroid(f) - m_mesh.point(v)) / double(faces.size());
+      return way * way;
+    });
+    const std::vector<double> leverages = this->leverages();
+    const double factor = m_parameters.deviation_by_noise;
+    const double by_noise = factor * factor * m_squared_noise
+                          * sum<ConcurrencyTag>(leverages.size(), [&](const std::size_t v)
+                            { return leverages[v] * leverages[v] * leverages[v]; });
+    return (squares > by_noise) ? 1 - by_noise / squares : 0;
+  }
 
   // the sum of weight (n n^T), of weight distance n, of the weights, and of weight leverage
   struct Vertex_sum
