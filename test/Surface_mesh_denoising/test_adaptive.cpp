@@ -338,17 +338,6 @@ TEST(Adaptive_fitting, Small_smooth_meshes_without_noise_come_back)
 // as linear interpolation on grids leaves them
 TEST(Adaptive_fitting, Vertices_on_chords_come_back)
 {
-  const double radius_of_tube = 0.3;
-  const auto torus = [&](const models::Options& options)
-  {
-    models::Patchwork patchwork;
-    patchwork.add(2 * models::pi, 2 * models::pi * radius_of_tube, [&](const double u, const double v)
-    {
-      const double a = 2 * models::pi * u, b = 2 * models::pi * v, r = 1 + radius_of_tube * std::cos(b);
-      return models::Point(r * std::cos(a), r * std::sin(a), radius_of_tube * std::sin(b));
-    });
-    return models::to_mesh<Mesh>(patchwork.sew(options));
-  };
   for(const std::size_t number_of_vertices : {800, 1500, 3000})
     for(const unsigned int seed : {1, 2, 3})
     {
@@ -356,13 +345,13 @@ TEST(Adaptive_fitting, Vertices_on_chords_come_back)
       options.number_of_vertices = number_of_vertices;
       options.triangles = models::Triangles::IRREGULAR;
       options.seed = seed;
-      Mesh mesh = torus(options);
+      Mesh mesh = models::to_mesh<Mesh>(models::torus(options));
       const double length = mean_edge_length(mesh);
       std::mt19937 random(seed);
       for(const Vertex v : mesh.vertices())
       {
         const double t = double(random()) / 4294967296.;
-        mesh.point(v) = mesh.point(v) - t * (1 - t) * length * length / (2 * radius_of_tube)
+        mesh.point(v) = mesh.point(v) - t * (1 - t) * length * length / (2 * models::torus_minor_radius)
                                         * PMP::compute_vertex_normal(v, mesh);
       }
       EXPECT_LT(error(denoised(mesh), mesh), 0.5) << number_of_vertices << " with seed " << seed;
