@@ -582,6 +582,27 @@ TEST(Adaptive_fitting, Faces_that_noise_turned_face_outwards_again)
   EXPECT_LT(sum_of_distances, 1.01 * sum_of_distances_of_folded);
 }
 
+// some vertices close to a neighbor, as level sets of functions on grids have them
+TEST(Adaptive_fitting, Low_faces_that_weak_noise_turned_face_outwards_again)
+{
+  std::size_t number_of_turned = 0, number_of_folded = 0;
+  for(const Model_generator model : {models::sphere, models::saddle})
+    for(const double level : { 0.1, 0.2 })
+    {
+      Mesh truth = irregular_mesh(model, 1500);
+      for(std::uint32_t v=0; v<num_vertices(truth); v+=10)
+      {
+        const Point& p = truth.point(truth.source(truth.halfedge(Vertex(v))));
+        truth.point(Vertex(v)) = truth.point(Vertex(v)) + 0.8 * (p - truth.point(Vertex(v)));
+      }
+      const Mesh noisy = with_noise_in_all_directions(truth, level);
+      number_of_turned += number_of_flips(denoised(noisy), truth);
+      number_of_folded += number_of_flips(denoised(noisy, params::unfold_faces(false)), truth);
+    }
+  EXPECT_GT(number_of_folded, 5u);
+  EXPECT_LT(number_of_turned, 0.5 * number_of_folded);
+}
+
 std::size_t number_of_faces_turned_down(const SMD::Indexed_triangle_mesh& mesh)
 {
   std::size_t n = 0;
@@ -590,15 +611,17 @@ std::size_t number_of_faces_turned_down(const SMD::Indexed_triangle_mesh& mesh)
   return n;
 }
 
-void unfold(SMD::Indexed_triangle_mesh& mesh, const bool noise_turns_faces)
+void unfold(SMD::Indexed_triangle_mesh& mesh, const bool noise_turns_faces, const double noise = 0.4)
 {
   const std::vector<bool> is_movable(mesh.number_of_vertices(), true);
   const SMD::internal::Vertex_neighbors neighbors(mesh);
   const std::vector<SMD::Indexed_triangle_mesh::Point_3> observed = mesh.points();
   SMD::internal::Adaptive_parameters parameters;
   parameters.unfolding_share_by_shape = 0.1;
-  SMD::internal::Face_unfolding<CGAL::Sequential_tag>(mesh, observed, is_movable, neighbors, 0.4 * mesh.mean_edge_length(),
-                                                      noise_turns_faces, parameters).run();
+  const SMD::internal::Unfolding_limits limits = { 4, 2 };
+  SMD::internal::Face_unfolding<CGAL::Sequential_tag>(mesh, observed, is_movable, neighbors,
+                                                      noise * mesh.mean_edge_length(), noise_turns_faces, limits,
+                                                      parameters).run();
 }
 
 TEST(Face_unfolding, Slides_vertices_of_a_plane_within_the_plane)
@@ -617,6 +640,25 @@ TEST(Face_unfolding, Slides_vertices_of_a_plane_within_the_plane)
   EXPECT_EQ(number_of_faces_turned_down(indexed), 0u);
   for(const SMD::Indexed_triangle_mesh::Point_3& p : indexed.points())
     EXPECT_NEAR(p.z(), 0, 1e-12);
+}
+
+// among faces that are large beside the noise, only low ones are turned by it
+TEST(Face_unfolding, Takes_low_faces_for_folded_by_weak_noise)
+{
+  for(const double noise : { 0.01, 0.06 })
+  {
+    Mesh mesh = plane();
+    const Vertex v(1234);
+    const auto opposite = mesh.next(mesh.next(mesh.halfedge(v)));
+    const Point center = CGAL::midpoint(mesh.point(mesh.source(opposite)), mesh.point(mesh.target(opposite)));
+    const Vector way = center - mesh.point(v);
+    const double beyond = 0.05 * mean_edge_length(mesh);
+    mesh.point(v) = center + (beyond / std::sqrt(way.squared_length())) * way;
+    SMD::Indexed_triangle_mesh indexed = indexed_mesh(mesh);
+    EXPECT_GT(number_of_faces_turned_down(indexed), 0u);
+    unfold(indexed, true, noise);
+    EXPECT_EQ(number_of_faces_turned_down(indexed) == 0, noise == 0.06);
+  }
 }
 
 TEST(Face_unfolding, Unfolds_the_border)

@@ -133,7 +133,7 @@ public:
     }
     move_to_agree(mesh, is_movable, number_of_moves, m_parameters.final_relaxation);
     if(m_parameters.unfold_faces)
-      unfold_faces(mesh, observed, is_movable, neighbors);
+      unfold_faces(mesh, observed, is_movable, neighbors, m_parameters.unfolding_of_result);
     if(m_parameters.preserve_volume)
       keep_volume<ConcurrencyTag>(mesh, m_has_impulses ? observed : given(), is_movable, m_noise,
                                   m_parameters.volume_penalty);
@@ -229,9 +229,10 @@ private:
   }
 
   void unfold_faces(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed, const std::vector<bool>& is_movable,
-                    const Vertex_neighbors& neighbors) const
+                    const Vertex_neighbors& neighbors, const Unfolding_limits& limits) const
   {
-    Face_unfolding<ConcurrencyTag>(mesh, observed, is_movable, neighbors, m_noise, m_noise_turns_faces, m_parameters).run();
+    Face_unfolding<ConcurrencyTag>(mesh, observed, is_movable, neighbors, m_noise, m_noise_turns_faces, limits,
+                                   m_parameters).run();
   }
 
   // Where noise moved vertices along the surface, too, they slide back to where triangles are even, in `mesh` and by the
@@ -249,7 +250,7 @@ private:
     m_vertices_slide = true;
     const std::vector<Point_3> before = mesh.points();
     if(m_parameters.unfold_faces)
-      unfold_faces(mesh, observed, is_movable, neighbors);
+      unfold_faces(mesh, observed, is_movable, neighbors, m_parameters.unfolding_of_pilot);
     relax_along_surface<ConcurrencyTag>(mesh, is_movable, neighbors,
                                         m_parameters.sliding_share * certainty, m_noise, m_parameters);
 

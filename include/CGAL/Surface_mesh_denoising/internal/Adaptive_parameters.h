@@ -32,6 +32,13 @@ struct Patch_effort
   double core_share;    // the share of the faces of a patch that need none of their own
 };
 
+// How far noise may have gone where it turned faces over. Times noise
+struct Unfolding_limits
+{
+  double reach;       // that of a vertex
+  double height;      // faces that are lower than this may be turned whatever their areas
+};
+
 // All constants of adaptive fitting. Lengths are in mean edge lengths; `noise` stands for the noise level in mean edge
 // lengths. None of them belongs to a model: they hold for all meshes.
 struct Adaptive_parameters
@@ -219,10 +226,11 @@ struct Adaptive_parameters
   double unfolding_cluster_agreement = 0.45;    // and around a cluster
   std::size_t unfolding_largest_cluster = 30;   // faces
   double unfolding_share_by_shape = 5e-4;       // no more than this share of all faces is turned by the shape
-  double unfolding_largest_area = 20;           // faces larger than this, times noise^2, are not turned by noise
+  double unfolding_largest_area = 20;           // faces among larger ones than this, times noise^2, are not turned by noise
   double unfolding_flatness = 0.6;              // the cosine of the largest angle at a vertex that goes to a center
   double unfolding_cosine = 0.1;                // that of the largest angle of a face there
-  double unfolding_reach = 4;                   // times noise
+  Unfolding_limits unfolding_of_pilot = { 4, 0 }; // which is far from the surface at large folds
+  Unfolding_limits unfolding_of_result = { 2, 2 };
   double unfolding_least_area = 0.1;            // that a face is to have, times the mean of those around
   double unfolding_stiffness = 3000;            // how much more than areas distances from the surface count
   double unfolding_drag = 0.01;                 // and ways along it

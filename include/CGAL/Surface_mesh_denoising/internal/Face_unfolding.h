@@ -46,9 +46,9 @@ public:
   // `noise_turns_faces` tells that noise may have turned faces of `observed`. Keeps references
   Face_unfolding(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed, const std::vector<bool>& is_movable,
                  const Vertex_neighbors& neighbors, const double noise, const bool noise_turns_faces,
-                 const Adaptive_parameters& parameters)
+                 const Unfolding_limits& limits, const Adaptive_parameters& parameters)
     : m_mesh(mesh), m_observed(observed), m_is_movable(is_movable), m_neighbors(neighbors), m_parameters(parameters),
-      m_squared_noise(noise * noise), m_noise_turns_faces(noise_turns_faces), m_original(mesh.points()),
+      m_limits(limits), m_squared_noise(noise * noise), m_noise_turns_faces(noise_turns_faces), m_original(mesh.points()),
       m_outwards(mesh.number_of_faces()), m_mean_areas(mesh.number_of_faces()), m_is_folded(mesh.number_of_faces())
   {}
 
@@ -106,7 +106,7 @@ private:
       }
       m_outwards[f] = normalized_or_null(around.area_vector);
       m_is_folded[f] = m_outwards[f] * m_normals[f] < 0 && agree
-                    && m_mean_areas[f] <= m_parameters.unfolding_largest_area * m_squared_noise;
+                    && (m_mean_areas[f] <= m_parameters.unfolding_largest_area * m_squared_noise || is_low(f));
     });
     if(is_first_round)
       m_noise_turns_faces = m_noise_turns_faces
@@ -118,6 +118,12 @@ private:
         if(m_is_folded[f] && area_vector(m_mesh, f, m_observed) * m_outwards[f] < 0)
           m_is_folded[f] = 0;
       });
+  }
+
+  bool is_low(const std::size_t f) const
+  {
+    const double height = height_of_face(m_mesh, f, m_areas);
+    return m_noise_turns_faces && height * height < m_limits.height * m_limits.height * m_squared_noise;
   }
 
   // The faces around those that are on the same side of all folds as face `f`; none where these are many
@@ -164,7 +170,7 @@ private:
   bool move_by_share(const std::size_t v, const Vector_3& move, const double cosine, const std::size_t most,
                      Point_3& point) const
   {
-    const double squared_reach = m_parameters.unfolding_reach * m_parameters.unfolding_reach * m_squared_noise;
+    const double squared_reach = m_limits.reach * m_limits.reach * m_squared_noise;
     for(const double share : {1., 0.5, 0.25})
     {
       const Point_3 p = m_mesh.point(v) + share * move;
@@ -249,6 +255,7 @@ private:
   const std::vector<bool>& m_is_movable;
   const Vertex_neighbors& m_neighbors;
   const Adaptive_parameters& m_parameters;
+  Unfolding_limits m_limits;
   double m_squared_noise;
   bool m_noise_turns_faces;
 
