@@ -120,6 +120,7 @@ private:
       });
   }
 
+  // so that noise that turns faces may have turned it, however large those around are
   bool is_low(const std::size_t f) const
   {
     const double height = height_of_face(m_mesh, f, m_areas);
