@@ -1552,6 +1552,11 @@ auto of_patches(const SMD::Indexed_triangle_mesh& mesh, const bool is_mesh_fine,
                          edge_length, parameters, error, parameters.last_patches_effort));
 }
 
+std::vector<SMD::Indexed_triangle_mesh::Vector_3> normal_deviations(const Patch_blend& blend)
+{
+  return blend.normal_deviations(blend.leverages());
+}
+
 // in degrees
 double mean_angle(const std::vector<SMD::Indexed_triangle_mesh::Vector_3>& a,
                   const std::vector<SMD::Indexed_triangle_mesh::Vector_3>& b)
@@ -1566,7 +1571,6 @@ TEST(Patch_blend, Faces_have_the_normals_that_triangles_have_where_the_surface_b
 {
   typedef std::vector<SMD::Indexed_triangle_mesh::Vector_3> Normals;
   const auto normals = [](const Patch_blend& blend) { return blend.face_normals(); };
-  const auto deviations = [](const Patch_blend& blend) { return blend.normal_deviations(); };
   for(const Model_generator model : {models::sphere, models::saddle})
   {
     const SMD::Indexed_triangle_mesh mesh = indexed_mesh(irregular_mesh(model, 1500));
@@ -1579,11 +1583,11 @@ TEST(Patch_blend, Faces_have_the_normals_that_triangles_have_where_the_surface_b
     EXPECT_GT(mean_angle(coarse, normals_of_mesh), 0.5);
 
     Normals without_deviations = fine;
-    const Normals fine_deviations = of_patches(mesh, true, deviations);
+    const Normals fine_deviations = of_patches(mesh, true, normal_deviations);
     for(std::size_t f=0; f<fine.size(); ++f)
       without_deviations[f] = without_deviations[f] - fine_deviations[f];
     EXPECT_LT(mean_angle(without_deviations, coarse), 0.1);
-    for(const SMD::Indexed_triangle_mesh::Vector_3& d : of_patches(mesh, false, deviations))
+    for(const SMD::Indexed_triangle_mesh::Vector_3& d : of_patches(mesh, false, normal_deviations))
       EXPECT_LT(d.squared_length(), 1e-24);
   }
 }
@@ -1591,7 +1595,7 @@ TEST(Patch_blend, Faces_have_the_normals_that_triangles_have_where_the_surface_b
 TEST(Patch_blend, Planes_have_no_deviations_and_stay)
 {
   const SMD::Indexed_triangle_mesh mesh = indexed_mesh(plane());
-  for(const auto& d : of_patches(mesh, true, [](const Patch_blend& blend) { return blend.normal_deviations(); }))
+  for(const auto& d : of_patches(mesh, true, normal_deviations))
     EXPECT_LT(d.squared_length(), 1e-20);
   const auto points = of_patches(mesh, true, [](const Patch_blend& blend) { return blend.points(); });
   for(std::size_t v=0; v<points.size(); ++v)

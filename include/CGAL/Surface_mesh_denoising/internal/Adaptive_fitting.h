@@ -461,8 +461,8 @@ private:
                                               pilot_error, effort);
       m_face_normals = blend.face_normals();
       points = blend.points();
-      m_normal_deviations = blend.normal_deviations();
       m_leverages = blend.leverages();
+      m_normal_deviations = blend.normal_deviations(m_leverages);
     }
     mesh.swap_points(points);
     move_to_agree(mesh, is_movable, m_parameters.patch_number_of_moves, m_parameters.patch_relaxation);

@@ -99,8 +99,8 @@ public:
 
   // How far the normals of faces are from those of the patches at their centroids, as patches bend; zero where triangles are
   // so coarse beside the bends that it means nothing. Where triangles are regular deviations cancel at each vertex, and only
-  // what noise makes of them remains: all shrink by the share of that
-  std::vector<Vector_3> normal_deviations() const
+  // what noise makes of them remains: all shrink by the share of that, which rests on the `leverages`
+  std::vector<Vector_3> normal_deviations(const std::vector<double>& leverages) const
   {
     std::vector<Vector_3> deviations(m_normals.size());
     for_each_index<ConcurrencyTag>(deviations.size(), [&](const std::size_t f)
@@ -110,7 +110,7 @@ public:
       const double limit = m_parameters.largest_normal_deviation;
       deviations[f] = (d.squared_length() <= limit * limit) ? d : Vector_3(0, 0, 0);
     });
-    const double share = share_of_shape(deviations);
+    const double share = share_of_shape(deviations, leverages);
     for_each_index<ConcurrencyTag>(deviations.size(), [&](const std::size_t f) { deviations[f] = share * deviations[f]; });
     return deviations;
   }
@@ -187,7 +187,7 @@ private:
 
   // The share of the shape in the squared ways that vertices go to agree with normals that deviate. The noise in these ways is
   // that of second derivatives, which goes as the leverages of fits to the power of 3/2
-  double share_of_shape(const std::vector<Vector_3>& deviations) const
+  double share_of_shape(const std::vector<Vector_3>& deviations, const std::vector<double>& leverages) const
   {
     const double squares = sum<ConcurrencyTag>(m_mesh.number_of_vertices(), [&](const std::size_t v)
     {
@@ -199,7 +199,6 @@ private:
         way += deviations[f] * (m_geometry.centroid(f) - m_mesh.point(v)) / double(faces.size());
       return way * way;
     });
-    const std::vector<double> leverages = this->leverages();
     const double factor = m_parameters.deviation_by_noise;
     const double by_noise = factor * factor * m_squared_noise
                           * sum<ConcurrencyTag>(leverages.size(), [&](const std::size_t v)
