@@ -127,9 +127,12 @@ struct Adaptive_parameters
   double largest_range = 1.5;
   double largest_normal_deviation = 0.2;        // of a face from the surface that it is part of
   double deviation_by_noise = 0.4;              // the way of a vertex by those, times noise leverage^(3/2) of patches
-  std::size_t gentle_number_of_steps = 19;      // and then one step of relaxation
+  std::size_t gentle_number_of_steps = 19;      // before one step of relaxation; those after it
+  std::size_t gentle_last_number_of_moves = 8;  // move the vertices so often,
+  std::size_t gentle_number_of_height_steps = 80; // and heights are smoothed so often
+  std::size_t gentle_steps_between_weights = 6; // or less, where a band ends
   std::array<std::size_t, 3> gentle_global_band_ends = {{ 1, 2, 4 }};
-  std::array<std::size_t, 5> gentle_local_band_ends = {{ 6, 9, 13, 19, 20 }};
+  std::array<std::size_t, 6> gentle_local_band_ends = {{ 6, 9, 13, 19, 20, 32 }};
   std::size_t number_of_relaxations = 3;
   double relaxation_range_along_normals = 0.25; // times noise
   double relaxation_range_across_normals = 0.75;

@@ -15,6 +15,9 @@
 #include <CGAL/Surface_mesh_denoising/internal/Normal_evolution.h>
 #include <CGAL/Surface_mesh_denoising/internal/Vertex_neighbors.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
+#include <CGAL/Surface_mesh_denoising/internal/smooth_over_neighbors.h>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cstddef>
@@ -25,8 +28,10 @@ namespace Surface_mesh_denoising {
 namespace internal {
 
 // A path that spares small detail (see Path_estimate.h): many gentle steps of bilateral normals and normal-driven moves,
-// each of which takes more of the noise and more of the shape away, and as the last step a relaxation of what noise is
-// left between neighbors. The path is gone by the observed points and by disturbed ones.
+// each of which takes more of the noise and more of the shape away. After some of them comes a relaxation of what noise is
+// left between neighbors. The last steps start again from before it, and go as far as large smooth surfaces ask for. That takes
+// them to the inside where they bend: the heights of the observed points above them, smoothed, are given back. The path is
+// gone by the observed points and by disturbed ones.
 template <typename ConcurrencyTag>
 class Gentle_path
 {
@@ -41,7 +46,7 @@ public:
               const Vertex_neighbors& neighbors, const std::vector<Vector_3>& normals,
               const std::vector<double>& disturbances, const std::vector<Vector_3>& normal_deviations, const double noise,
               const double mean_edge_length, const Adaptive_parameters& parameters)
-    : m_mesh(mesh), m_is_movable(is_movable), m_neighbors(neighbors), m_normals(normals),
+    : m_mesh(mesh), m_observed(observed), m_is_movable(is_movable), m_neighbors(neighbors), m_normals(normals),
       m_disturbances(disturbances), m_normal_deviations(normal_deviations), m_noise(noise),
       m_relative_noise(noise / mean_edge_length), m_parameters(parameters), m_points_before(observed),
       m_disturbed(observed.size())
@@ -56,42 +61,75 @@ public:
 
   ~Gentle_path() { m_mesh.swap_points(m_points_before); }
 
-  const Point_3& point(const std::size_t v) const { return m_mesh.point(v); }
+  Point_3 point(const std::size_t v) const
+  { return m_heights.empty() ? m_mesh.point(v) : m_mesh.point(v) + double(m_heights[v][0]) * m_normals[v]; }
 
   double noise_share(const std::size_t v) const
-  {
-    return m_disturbances[v] * (m_normals[v] * (m_disturbed[v] - m_mesh.point(v)));
-  }
+  { return m_disturbances[v] * (rest_of_disturbance(v) + (m_heights.empty() ? 0. : double(m_heights[v][1]))); }
 
   double least_weight(std::size_t, std::size_t) const { return 0; }
 
   void go_to(const std::size_t end)
   {
-    if(m_step < (std::min)(end, m_parameters.gentle_number_of_steps))
-      m_evolve.update_weights(m_mesh);
-    for(; m_step<end; ++m_step)
+    const std::size_t relaxation = m_parameters.gentle_number_of_steps;
+    go_on((std::min)(end, relaxation));
+    if(end > relaxation && m_step == relaxation)
     {
-      if(m_step >= m_parameters.gentle_number_of_steps)
-      {
-        m_evolve = Normal_evolution<ConcurrencyTag>();
-        relax();
-        m_mesh.swap_points(m_disturbed);
-        relax();
-        m_mesh.swap_points(m_disturbed);
-      }
-      else
-        m_evolve(m_mesh, m_disturbed, m_is_movable, m_normal_deviations, step());
+      m_unrelaxed_points = m_mesh.points();
+      m_unrelaxed_disturbed = m_disturbed;
+      relax();
+      m_mesh.swap_points(m_disturbed);
+      relax();
+      m_mesh.swap_points(m_disturbed);
+      ++m_step;
+    }
+    if(end > m_step)
+    {
+      m_mesh.swap_points(m_unrelaxed_points);
+      m_disturbed.swap(m_unrelaxed_disturbed);
+      go_on(end);
+      compute_heights();
     }
   }
 
 private:
+  typedef Eigen::Array2f Height;   // that of the observed point, and of the disturbance that the steps took
+
+  void go_on(const std::size_t end)
+  {
+    for(std::size_t k=0; m_step<end; ++k, ++m_step)
+    {
+      if(k % m_parameters.gentle_steps_between_weights == 0)
+        m_evolve.update_weights(m_mesh);
+      m_evolve(m_mesh, m_disturbed, m_is_movable, m_normal_deviations, step());
+    }
+  }
+
+  double rest_of_disturbance(const std::size_t v) const { return m_normals[v] * (m_disturbed[v] - m_mesh.point(v)); }
+
+  // at borders, which go their own way, none
+  void compute_heights()
+  {
+    m_heights.assign(m_observed.size(), Height::Zero());
+    for_each_index<ConcurrencyTag>(m_heights.size(), [&](const std::size_t v)
+    {
+      if(m_neighbors.is_inside(v))
+        m_heights[v] = Height(float((m_observed[v] - m_mesh.point(v)) * m_normals[v]),
+                              float(m_disturbances[v] - rest_of_disturbance(v)));
+    });
+    smooth_over_neighbors<ConcurrencyTag>(m_neighbors, m_is_movable, m_parameters.gentle_number_of_height_steps,
+                                          m_parameters.laplacian_shares, m_heights);
+  }
+
   Evolution_step step() const
   {
     const Adaptive_parameters& p = m_parameters;
     const auto growth = [&](const double g) { return std::size_t((std::min)(g, p.gentle_maximal_growth)); };
-    const double progress = m_relative_noise * double(m_step);
+    const double progress = m_relative_noise * double((std::min)(m_step, p.gentle_number_of_steps));
     return { (std::min)(p.gentle_range * m_relative_noise, p.largest_range), false,
-             1 + growth(p.gentle_normal_growth * progress * progress), 2 + growth(p.gentle_move_growth * progress) };
+             1 + growth(p.gentle_normal_growth * progress * progress),
+             (m_step > p.gentle_number_of_steps) ? p.gentle_last_number_of_moves
+                                                 : 2 + growth(p.gentle_move_growth * progress) };
   }
 
   // Lambda-mu smoothing (Taubin), of what noise may have left only: a vertex far from the center of its neighbors, beside
@@ -120,6 +158,7 @@ private:
   }
 
   Indexed_triangle_mesh& m_mesh;
+  const std::vector<Point_3>& m_observed;
   const std::vector<bool>& m_is_movable;
   const Vertex_neighbors& m_neighbors;
   const std::vector<Vector_3>& m_normals;
@@ -129,6 +168,8 @@ private:
   const Adaptive_parameters& m_parameters;
 
   std::vector<Point_3> m_points_before, m_disturbed;
+  std::vector<Point_3> m_unrelaxed_points, m_unrelaxed_disturbed;
+  std::vector<Height> m_heights;   // of the last steps only
   Normal_evolution<ConcurrencyTag> m_evolve;
   std::size_t m_step = 0;
 };
