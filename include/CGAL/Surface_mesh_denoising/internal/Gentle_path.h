@@ -83,13 +83,18 @@ public:
       m_mesh.swap_points(m_disturbed);
       ++m_step;
     }
-    if(end > m_step)
+    if(end <= m_step)
+      return;
+    if(m_step == relaxation + 1)
     {
       m_mesh.swap_points(m_unrelaxed_points);
       m_disturbed.swap(m_unrelaxed_disturbed);
-      go_on(end);
-      compute_heights();
+      m_unrelaxed_points.clear();
+      m_unrelaxed_disturbed.clear();
     }
+    go_on(end);
+    m_evolve = Normal_evolution<ConcurrencyTag>(); // its memory is needed elsewhere
+    compute_heights();
   }
 
 private:

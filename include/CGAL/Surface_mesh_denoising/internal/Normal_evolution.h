@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -86,44 +87,39 @@ public:
 
   void operator()(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable, const Evolution_step& step)
   {
-    std::vector<double> areas;
-    compute_face_normals<ConcurrencyTag>(mesh, m_normals, areas);
-    filter(mesh, step, m_normals);
+    compute_face_normals<ConcurrencyTag>(mesh, m_normals, m_areas);
+    filter(mesh, step, m_normals, m_single.normals);
     std::vector<Point_3> points;
     mesh.swap_points(points);
-    move_to_agree(mesh, points, is_movable, m_normals, step.number_of_moves);
+    move_to_agree(mesh, points, is_movable, m_normals, step.number_of_moves, m_single);
     mesh.swap_points(points);
   }
 
   // The same for `mesh` and for the mesh with its vertices at `other_points`, with the same weights, in little more time.
-  // The filter sees the normals without their deviations, which uneven triangles have where the surface bends. Keeps no normals
+  // The filter sees the normals without their deviations, which uneven triangles have where the surface bends. `face_normals()` are not its
   void operator()(Indexed_triangle_mesh& mesh, std::vector<Point_3>& other_points, const std::vector<bool>& is_movable,
-                  const std::vector<Vector_3>& deviations, const Evolution_step& step) const
+                  const std::vector<Vector_3>& deviations, const Evolution_step& step)
   {
-    std::vector<Vector_pair> normals;
-    {
-      std::vector<Vector_3> first, second;
-      std::vector<double> areas;
-      compute_face_normals<ConcurrencyTag>(mesh, first, areas);
-      mesh.swap_points(other_points);
-      compute_face_normals<ConcurrencyTag>(mesh, second, areas);
-      mesh.swap_points(other_points);
-      pair_up(first, second, normals);
-    }
+    std::vector<Vector_pair>& normals = m_pairs_of_normals;
+    compute_face_normals<ConcurrencyTag>(mesh, m_normals, m_areas);
+    mesh.swap_points(other_points);
+    compute_face_normals<ConcurrencyTag>(mesh, m_other_normals, m_areas);
+    mesh.swap_points(other_points);
+    pair_up(m_normals, m_other_normals, normals);
     const auto add_deviations = [&](const double factor)
     {
       for_each_index<ConcurrencyTag>(normals.size(), [&](const std::size_t f)
       { normals[f] = normalized_or(normals[f] + factor * Vector_pair(deviations[f], deviations[f]), normals[f]); });
     };
     add_deviations(-1);
-    filter(mesh, step, normals);
+    filter(mesh, step, normals, m_pair.normals);
     add_deviations(1);
 
     std::vector<Point_3> points;
     mesh.swap_points(points);
-    std::vector<Vector_pair> positions;
+    std::vector<Vector_pair>& positions = m_pairs_of_positions;
     pair_up(points, other_points, positions);
-    move_to_agree(mesh, positions, is_movable, normals, step.number_of_moves);
+    move_to_agree(mesh, positions, is_movable, normals, step.number_of_moves, m_pair);
     for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
     {
       points[v] = ORIGIN + positions[v].first();
@@ -133,6 +129,15 @@ public:
   }
 
 private:
+  // what a step writes to; kept, as steps are many and memory that is new costs more than what is done with it
+  template <typename Point, typename Vector>
+  struct Workspace
+  {
+    std::vector<Vector> normals;
+    std::vector<Point> points;
+    std::vector<decltype(std::declval<Vector>().squared_length())> offsets; // of the planes, along the normals
+  };
+
   template <typename Elements>
   static void pair_up(const Elements& first, const Elements& second, std::vector<Vector_pair>& pairs)
   {
@@ -146,12 +151,12 @@ private:
   template <typename Point, typename Vector>
   static void move_to_agree(const Indexed_triangle_mesh& mesh, std::vector<Point>& points,
                             const std::vector<bool>& is_movable, const std::vector<Vector>& normals,
-                            const std::size_t number_of_moves)
+                            const std::size_t number_of_moves, Workspace<Point, Vector>& workspace)
   {
-    typedef decltype(normals[0].squared_length()) Number;
-
-    std::vector<Number> offsets(mesh.number_of_faces()); // of the planes, along the normals
-    std::vector<Point> moved(points.size());
+    auto& offsets = workspace.offsets;
+    std::vector<Point>& moved = workspace.points;
+    offsets.resize(mesh.number_of_faces());
+    moved.resize(points.size());
     for(std::size_t k=0; k<number_of_moves; ++k)
     {
       for_each_index<ConcurrencyTag>(offsets.size(), [&](const std::size_t f)
@@ -177,14 +182,15 @@ private:
   }
 
   template <typename Vector>
-  void filter(const Indexed_triangle_mesh& mesh, const Evolution_step& step, std::vector<Vector>& normals) const
+  void filter(const Indexed_triangle_mesh& mesh, const Evolution_step& step, std::vector<Vector>& normals,
+              std::vector<Vector>& filtered) const
   {
     const std::size_t n = mesh.number_of_faces();
     if(n == 0)
       return;
     const double range_factor = 0.5 / (step.range * step.range);
     const Index* const first_entry = mesh.faces_around_face(0).begin();
-    std::vector<Vector> filtered(n);
+    filtered.resize(n);
     for(std::size_t k=0; k<step.number_of_normal_iterations; ++k)
     {
       for_each_index<ConcurrencyTag>(n, [&](const std::size_t f)
@@ -204,8 +210,12 @@ private:
     }
   }
 
-  std::vector<Vector_3> m_normals;
   std::vector<float> m_weights, m_own_weights;
+  std::vector<Vector_3> m_normals, m_other_normals;
+  std::vector<double> m_areas;
+  std::vector<Vector_pair> m_pairs_of_normals, m_pairs_of_positions;
+  Workspace<Point_3, Vector_3> m_single;
+  Workspace<Vector_pair, Vector_pair> m_pair;
 };
 
 } // namespace internal
