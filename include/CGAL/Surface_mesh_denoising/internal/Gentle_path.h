@@ -75,6 +75,7 @@ public:
     go_on((std::min)(end, relaxation));
     if(end > relaxation && m_step == relaxation)
     {
+      m_evolve = Normal_evolution<ConcurrencyTag>(); // its memory is needed elsewhere
       m_unrelaxed_points = m_mesh.points();
       m_unrelaxed_disturbed = m_disturbed;
       relax();
@@ -89,11 +90,11 @@ public:
     {
       m_mesh.swap_points(m_unrelaxed_points);
       m_disturbed.swap(m_unrelaxed_disturbed);
-      m_unrelaxed_points.clear();
-      m_unrelaxed_disturbed.clear();
+      m_unrelaxed_points = std::vector<Point_3>();
+      m_unrelaxed_disturbed = std::vector<Point_3>();
     }
     go_on(end);
-    m_evolve = Normal_evolution<ConcurrencyTag>(); // its memory is needed elsewhere
+    m_evolve = Normal_evolution<ConcurrencyTag>();
     compute_heights();
   }
 

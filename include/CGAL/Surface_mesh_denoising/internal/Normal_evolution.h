@@ -96,16 +96,19 @@ public:
   }
 
   // The same for `mesh` and for the mesh with its vertices at `other_points`, with the same weights, in little more time.
-  // The filter sees the normals without their deviations, which uneven triangles have where the surface bends. `face_normals()` are not its
+  // The filter sees the normals without their deviations, which uneven triangles have where the surface bends. `face_normals()`
+  // are then of no use
   void operator()(Indexed_triangle_mesh& mesh, std::vector<Point_3>& other_points, const std::vector<bool>& is_movable,
                   const std::vector<Vector_3>& deviations, const Evolution_step& step)
   {
     std::vector<Vector_pair>& normals = m_pairs_of_normals;
     compute_face_normals<ConcurrencyTag>(mesh, m_normals, m_areas);
+    pair_up(m_normals, m_normals, normals);
     mesh.swap_points(other_points);
-    compute_face_normals<ConcurrencyTag>(mesh, m_other_normals, m_areas);
+    compute_face_normals<ConcurrencyTag>(mesh, m_normals, m_areas);
     mesh.swap_points(other_points);
-    pair_up(m_normals, m_other_normals, normals);
+    for_each_index<ConcurrencyTag>(normals.size(), [&](const std::size_t f)
+    { normals[f] = Vector_pair(normals[f].first(), m_normals[f]); });
     const auto add_deviations = [&](const double factor)
     {
       for_each_index<ConcurrencyTag>(normals.size(), [&](const std::size_t f)
@@ -211,7 +214,7 @@ private:
   }
 
   std::vector<float> m_weights, m_own_weights;
-  std::vector<Vector_3> m_normals, m_other_normals;
+  std::vector<Vector_3> m_normals;
   std::vector<double> m_areas;
   std::vector<Vector_pair> m_pairs_of_normals, m_pairs_of_positions;
   Workspace<Point_3, Vector_3> m_single;
