@@ -988,7 +988,7 @@ TEST(Quadric_path, Goes_mean_ways_to_planes)
 
   Path_input input(noisy_mesh(models::sphere, 500, 0.1));
   const std::size_t n = input.observed.size();
-  const double unit = input.mesh.mean_edge_length<CGAL::Sequential_tag>(),
+  const double unit = input.mean_edge_length(),
                sigma = input.parameters.quadric_sigma * unit, radius = input.parameters.quadric_reach * sigma;
   std::vector<Vector_3> ignored;
   std::vector<double> areas, vertex_areas(n, 0);
