@@ -104,7 +104,7 @@ public:
       if(m_parameters.remove_tangential_noise)
         remove_tangential_noise(mesh, is_movable, neighbors, observed, original);
       pilot = mesh.points();
-      fit_patches(mesh, observed, is_movable, m_parameters.pilot_error,
+      fit_patches(mesh, observed, is_movable, neighbors, m_parameters.pilot_error,
                   m_parameters.refit_patches ? m_parameters.first_patches_effort : m_parameters.last_patches_effort);
       // with a noise level of the user's there is nothing to correct
       if(m_noise_level >= 0 || !correct_noise(round, mesh, is_movable, neighbors, observed, original))
@@ -119,7 +119,7 @@ public:
     }
 
     if(m_parameters.refit_patches)
-      fit_patches(mesh, observed, is_movable, m_parameters.first_patches_error, m_parameters.last_patches_effort);
+      fit_patches(mesh, observed, is_movable, neighbors, m_parameters.first_patches_error, m_parameters.last_patches_effort);
 
     m_patch_shares.assign(mesh.number_of_faces(), 1);
     if(m_parameters.use_gentle_path || m_parameters.use_linear_path || m_parameters.use_quadric_path)
@@ -453,7 +453,7 @@ private:
 
   // `mesh` holds the pilot, and then the result. The first patches are a better pilot than the one that they grow over
   void fit_patches(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed, const std::vector<bool>& is_movable,
-                   const Pilot_error& pilot_error, const Patch_effort& effort)
+                   const Vertex_neighbors& neighbors, const Pilot_error& pilot_error, const Patch_effort& effort)
   {
     std::vector<Point_3> points;
     {
@@ -462,25 +462,11 @@ private:
       m_face_normals = blend.face_normals();
       points = blend.points();
       m_leverages = blend.leverages();
+      m_noise_shares = blend.noise_shares(neighbors);
       m_normal_deviations = blend.normal_deviations(m_leverages);
     }
     mesh.swap_points(points);
     move_to_agree(mesh, is_movable, m_parameters.patch_number_of_moves, m_parameters.patch_relaxation);
-  }
-
-  // of the patches that `mesh` holds
-  void compute_noise_shares(const Indexed_triangle_mesh& mesh, const Vertex_neighbors& neighbors)
-  {
-    m_noise_shares.resize(m_leverages.size());
-    for_each_index<ConcurrencyTag>(m_noise_shares.size(), [&](const std::size_t v)
-    {
-      const double full_adaptation_noise
-        = neighbors(v).empty() ? 0 : m_parameters.full_adaptation_noise * mean_length_of_edges(mesh, neighbors, v);
-      const double share_of_adaptation = ramp(m_noise, 0, full_adaptation_noise);
-      const double by_adaptation = (std::max)(0., m_leverages[v] - m_parameters.unadapted_leverage);
-      m_noise_shares[v] = (m_leverages[v] + m_parameters.adaptation_factor * share_of_adaptation * by_adaptation)
-                        * m_noise * m_noise;
-    });
   }
 
   // Patches are best where the surface is made of smooth pieces, the gentle path where it is full of detail, the linear one
@@ -491,7 +477,6 @@ private:
     std::vector<Vector_3> normals;
     compute_vertex_normals<ConcurrencyTag>(mesh, normals);
     const std::vector<double> disturbances = make_disturbances(mesh, observed, is_movable);
-    compute_noise_shares(mesh, neighbors);
     const auto mix_with_path = [&](const auto& make_path, const auto& global_band_ends, const auto& local_band_ends,
                                    const Preference& preference)
     {

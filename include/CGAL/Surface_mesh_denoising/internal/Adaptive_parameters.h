@@ -195,11 +195,11 @@ struct Adaptive_parameters
   double mesh_penalty = 8;                      // how far the weight of the whole mesh keeps to zero,
   double mesh_penalty_of_quadric_path = 2;      // and that of the quadric path, which is good where it is made at all;
   double advantage_over_quadric_path = 0.03;    // but at the same distance from the surface patches have better angles
-  // The fits of patches follow the noise by their leverages, and where their sizes were chosen to follow detail, they follow
-  // the noise by that choice, too: less where noise is weak, as detail leaves little to choose there.
-  double unadapted_leverage = 0.016;            // that of large patches
-  double adaptation_factor = 1.5;               // of what leverages have beyond, where noise is this or more,
-  double full_adaptation_noise = 0.2;           // in the lengths of the edges there, and the less the weaker it is
+  // Patches follow the noise as if they had so many coefficients more than a plane,
+  double coefficients_by_choice = 3;
+  double points_of_full_choice = 50;            // if they fit so few points, or less, and fewer if they fit more;
+  double noise_share_by_faces = 0.06;           // and by this share of it where it is so long as three edges, or longer
+  std::array<double, 2> noise_to_choose_faces = {{ 0.9, 3 }}; // beside edges, and by nothing below the first length
 
   // Reassignment of faces
   double reassignment_edge_cosine = 0.8;        // that of the least angle of an edge,

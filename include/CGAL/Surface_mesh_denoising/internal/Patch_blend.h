@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_denoising/internal/Local_numbering.h>
 #include <CGAL/Surface_mesh_denoising/internal/Neighborhood_search.h>
 #include <CGAL/Surface_mesh_denoising/internal/Patch_fit.h>
+#include <CGAL/Surface_mesh_denoising/internal/Vertex_neighbors.h>
 #include <CGAL/Surface_mesh_denoising/internal/mixing.h>
 #include <CGAL/Surface_mesh_denoising/internal/normals.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
@@ -148,15 +149,25 @@ public:
   }
 
   // how far each vertex follows its observed point, if that moves along the normal and the patches keep their faces
-  std::vector<double> leverages() const
+  std::vector<double> leverages() const { return means(&Vertex_sum::leverage); }
+
+  // See mixing.h. Patches follow the noise by their coefficients, and by the choice of their sizes and degrees, which follows
+  // it, too: together as if they had some more coefficients than a plane, the more the fewer their points are, whatever
+  // their degrees. Where edges are shorter than the noise it takes part in the choice of faces
+  std::vector<double> noise_shares(const Vertex_neighbors& neighbors) const
   {
-    std::vector<double> leverages(m_vertex_sums.size());
-    for_each_index<ConcurrencyTag>(leverages.size(), [&](const std::size_t v)
+    std::vector<double> shares = means(&Vertex_sum::inverse_size);
+    const double noise = std::sqrt(m_squared_noise);
+    const std::array<double, 2>& limits = m_parameters.noise_to_choose_faces;
+    for_each_index<ConcurrencyTag>(shares.size(), [&](const std::size_t v)
     {
-      const Vertex_sum& s = m_vertex_sums[v];
-      leverages[v] = (s.weight > 0) ? s.leverage / s.weight : 0;
+      const double choice = (std::min)(1., m_parameters.points_of_full_choice * shares[v]);
+      const double length = neighbors(v).empty() ? 0 : mean_length_of_edges(m_mesh, neighbors, v);
+      shares[v] = ((3 + m_parameters.coefficients_by_choice * choice) * shares[v]
+                   + m_parameters.noise_share_by_faces * ramp(noise, limits[0] * length, limits[1] * length))
+                * m_squared_noise;
     });
-    return leverages;
+    return shares;
   }
 
 private:
@@ -206,15 +217,17 @@ private:
     return (squares > by_noise) ? 1 - by_noise / squares : 0;
   }
 
-  // the sum of weight (n n^T), of weight distance n, of the weights, and of weight leverage
+  // the sum of weight (n n^T), of weight distance n, of the weights, of weight leverage, and of weight over how many points
+  // the patch fits
   struct Vertex_sum
   {
     std::array<double, 6> m = {{ 0, 0, 0, 0, 0, 0 }};
     Vector_3 rhs = Vector_3(0, 0, 0);
     double weight = 0;
     double leverage = 0;
+    double inverse_size = 0;
 
-    void add(const Vertex_term& t)
+    void add(const Vertex_term& t, const std::size_t number_of_points)
     {
       const Vector_3& n = t.normal;
       const Vector_3 wn = t.weight * n;
@@ -227,8 +240,21 @@ private:
       rhs += t.distance * wn;
       weight += t.weight;
       leverage += t.weight * t.leverage;
+      inverse_size += t.weight / double(number_of_points);
     }
   };
+
+  // at each vertex, by the weights of the patches; zero where there are none
+  std::vector<double> means(double Vertex_sum::* const sum) const
+  {
+    std::vector<double> means(m_vertex_sums.size());
+    for_each_index<ConcurrencyTag>(means.size(), [&](const std::size_t v)
+    {
+      const Vertex_sum& s = m_vertex_sums[v];
+      means[v] = (s.weight > 0) ? s.*sum / s.weight : 0;
+    });
+    return means;
+  }
 
   // Computes patches; one for each thread
   class Worker
@@ -437,7 +463,7 @@ private:
         for(std::size_t k=0; double(k) < m_effort.core_share * double(faces.size()); ++k)
           m_is_in_core[faces[k].face] = true;
         for(const Vertex_term& t : patches[i].vertices)
-          m_vertex_sums[t.vertex].add(t);
+          m_vertex_sums[t.vertex].add(t, patches[i].vertices.size());
       }
     }
     // a seed without a fit will not get one
