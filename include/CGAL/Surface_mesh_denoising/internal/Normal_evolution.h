@@ -103,7 +103,7 @@ public:
   {
     std::vector<Vector_pair>& normals = m_pairs_of_normals;
     compute_face_normals<ConcurrencyTag>(mesh, m_normals, m_areas);
-    pair_up(m_normals, m_normals, normals);
+    pair_up(m_normals, m_normals, normals); // the second ones come when the first have left their buffer
     mesh.swap_points(other_points);
     compute_face_normals<ConcurrencyTag>(mesh, m_normals, m_areas);
     mesh.swap_points(other_points);

@@ -245,15 +245,15 @@ private:
   };
 
   // at each vertex, by the weights of the patches; zero where there are none
-  std::vector<double> means(double Vertex_sum::* const sum) const
+  std::vector<double> means(double Vertex_sum::* const weighted_sum) const
   {
-    std::vector<double> means(m_vertex_sums.size());
-    for_each_index<ConcurrencyTag>(means.size(), [&](const std::size_t v)
+    std::vector<double> result(m_vertex_sums.size());
+    for_each_index<ConcurrencyTag>(result.size(), [&](const std::size_t v)
     {
       const Vertex_sum& s = m_vertex_sums[v];
-      means[v] = (s.weight > 0) ? s.*sum / s.weight : 0;
+      result[v] = (s.weight > 0) ? s.*weighted_sum / s.weight : 0;
     });
-    return means;
+    return result;
   }
 
   // Computes patches; one for each thread
