@@ -250,6 +250,7 @@ void ablation(const std::string& title, const Mesh& mesh, const NamedParameters&
   run("none", np::default_values());
   run("use_adaptive_neighborhoods", np::use_adaptive_neighborhoods(false));
   run("use_adaptive_degree", np::use_adaptive_degree(false));
+  run("use_round_patches", np::use_round_patches(false));
   run("refit_patches", np::refit_patches(false));
   run("use_gentle_path", np::use_gentle_path(false));
   run("use_linear_path", np::use_linear_path(false));

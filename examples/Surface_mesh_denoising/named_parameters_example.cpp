@@ -74,6 +74,7 @@ int main(int argc, char* argv[])
   SMD::denoise_anisotropic_fitting(mesh, CGAL::parameters::noise_level(0.05) // in mean edge lengths
                                                           .use_adaptive_neighborhoods(true)
                                                           .use_adaptive_degree(true)
+                                                          .use_round_patches(true)
                                                           .refit_patches(true)
                                                           .use_gentle_path(true)
                                                           .use_linear_path(true)

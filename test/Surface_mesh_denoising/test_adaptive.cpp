@@ -1438,14 +1438,16 @@ struct Sampled_heights
   }
 
   SMD::internal::Patch_surface fit(const SMD::internal::Adaptive_parameters& parameters
-                                     = SMD::internal::Adaptive_parameters(), const bool is_pilot_fine = true) const
+                                     = SMD::internal::Adaptive_parameters(), const bool is_pilot_fine = true,
+                                   const double extent = 1) const
   {
     SMD::internal::Pilot_error pilot_error = parameters.first_patches_error;
     pilot_error.is_fine = is_pilot_fine;
-    SMD::internal::Patch_fit fit(parameters, pilot_error, parameters.last_patches_effort, noise * noise);
+    SMD::internal::Patch_fit fit(parameters, pilot_error, parameters.last_patches_effort, noise * noise,
+                                 extent);
     fit.clear();
     for(Eigen::Index i=0; i<heights.size(); ++i)
-      fit.insert(monomials(i, 1), monomials(i, 2), heights[i], true_heights[i]);
+      fit.insert(monomials(i, 1) / extent, monomials(i, 2) / extent, heights[i], true_heights[i]);
     fit.update(2 * std::size_t(heights.size()));
     return fit.best();
   }
@@ -1567,6 +1569,93 @@ TEST(Patch_fit, Cylinder_is_that_of_least_squares_about_the_axis_of_the_pilot)
   const Eigen::MatrixXd leverages = design * (design.transpose() * design).inverse() * design.transpose();
   for(Eigen::Index i=0; i<60; ++i)
     EXPECT_NEAR(fit.variance_of_height(sample.monomials(i, 1), sample.monomials(i, 2)), leverages(i, i), 1e-9);
+}
+
+// of radius r; touches the plane at the origin
+struct Sphere
+{
+  double r;
+
+  double operator()(const double u, const double v) const { return r - std::sqrt(r*r - u*u - v*v); }
+};
+
+struct Circular_cylinder
+{
+  double r, angle;
+
+  double operator()(const double u, const double v) const
+  {
+    return 0.3 + Sphere{r}(u * std::cos(angle) + v * std::sin(angle), 0);
+  }
+};
+
+TEST(Patch_fit, Round_surfaces_are_spheres_and_cylinders)
+{
+  typedef SMD::Indexed_triangle_mesh Indexed;
+  const double noise = 1e-6, step = 1e-5;
+  SMD::internal::Adaptive_parameters parameters, without;
+  parameters.cubic_threshold = without.cubic_threshold = std::numeric_limits<double>::infinity();
+  without.use_round_patches = false;
+  const std::vector<std::function<double(double, double)> > surfaces
+    = { Sphere{1.2}, Circular_cylinder{1.2, 0}, Circular_cylinder{1.2, 0.7} };
+  for(const auto& surface : surfaces)
+    for(const double extent : {1., 3.})
+    {
+      const Sampled_heights sample(surface, 200, noise, 1);
+      const SMD::internal::Patch_surface fit = sample.fit(parameters, true, extent);
+      const SMD::internal::Patch_surface parabolic = sample.fit(without, true, extent);
+      EXPECT_EQ(parabolic.roundness, 0);
+      EXPECT_FALSE(fit.is_cubic);
+      EXPECT_NEAR(fit.risk - fit.squared_bias, parabolic.risk - parabolic.squared_bias, 1e-18); // as many coefficients
+      const SMD::internal::Patch_frame frame(Indexed::Point_3(0, 0, 0), Indexed::Vector_3(0, 0, 1), extent);
+      double largest_error_of_parabolas = 0;
+      for(Eigen::Index i=0; i<200; ++i)
+      {
+        const double x = sample.monomials(i, 1), y = sample.monomials(i, 2);
+        const double u = x / extent, v = y / extent;
+        EXPECT_NEAR(fit.height(u, v), surface(x, y), 20 * noise);
+        largest_error_of_parabolas = (std::max)(largest_error_of_parabolas,
+                                                std::abs(parabolic.height(u, v) - surface(x, y)));
+        const double slope_x = (surface(x + step, y) - surface(x - step, y)) / (2 * step),
+                     slope_y = (surface(x, y + step) - surface(x, y - step)) / (2 * step);
+        const Indexed::Vector_3 slopes = slope_x * extent * frame.tangents[0] + slope_y * extent * frame.tangents[1];
+        EXPECT_LT((fit.normal(frame, u, v) - (frame.axis - slopes)).squared_length(), 1e-7);
+      }
+      EXPECT_GT(largest_error_of_parabolas, 1e4 * noise);
+    }
+}
+
+TEST(Patch_fit, Round_surfaces_are_only_for_what_is_rounder_than_parabolas)
+{
+  // the fourth derivatives of cosines have the other sign
+  const auto wave = [](const double u, const double v) { return 0.4 * std::cos(1.2 * u) * std::cos(0.8 * v); };
+  for(unsigned int seed=1; seed<=20; ++seed)
+  {
+    EXPECT_EQ(Sampled_heights(wave, 200, 0.001, seed).fit().roundness, 0);
+    EXPECT_EQ(Sampled_heights(Parabolic_cylinder{0.5, 0.4}, 200, 0.001, seed).fit().roundness, 0);
+    EXPECT_NE(Sampled_heights(Circular_cylinder{1.2, 0.4}, 200, 0.001, seed).fit().roundness, 0);
+  }
+}
+
+TEST(Patch_fit, Round_surfaces_end_before_they_go_upright)
+{
+  EXPECT_EQ(Sampled_heights(Sphere{1.01}, 200, 0.001, 1).fit().roundness, 0);
+  EXPECT_NEAR(Sampled_heights(Sphere{1.1}, 200, 0.001, 1).fit().roundness, 1 / 2.2, 0.005);
+}
+
+TEST(Patch_fit, Round_surfaces_help_on_spheres_and_cylinders)
+{
+  for(const Model_generator model : {models::sphere, models::cylinder})
+  {
+    double sum_of_logarithms = 0;
+    for(const double level : {0.05, 0.1, 0.2})
+    {
+      const Mesh truth = irregular_mesh(model, 3000), noisy = with_noise(truth, level);
+      sum_of_logarithms += std::log(error(denoised(noisy), truth)
+                                    / error(denoised(noisy, params::use_round_patches(false)), truth));
+    }
+    EXPECT_LT(sum_of_logarithms, 3 * -0.15);
+  }
 }
 
 TEST(Patch_fit, Without_adaptive_degree_all_are_quadrics)

@@ -79,6 +79,7 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
   adaptive.use_adaptive_neighborhoods
     = choose_parameter(get_parameter(np, internal_np::use_adaptive_neighborhoods), true);
   adaptive.use_adaptive_degree = choose_parameter(get_parameter(np, internal_np::use_adaptive_degree), true);
+  adaptive.use_round_patches = choose_parameter(get_parameter(np, internal_np::use_round_patches), true);
   adaptive.refit_patches = choose_parameter(get_parameter(np, internal_np::refit_patches), true);
   adaptive.use_gentle_path = choose_parameter(get_parameter(np, internal_np::use_gentle_path), true);
   adaptive.use_linear_path = choose_parameter(get_parameter(np, internal_np::use_linear_path), true);
@@ -188,6 +189,12 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *     \cgalParamDescription{Adaptive method: whether a patch is a plane or a parabolic cylinder where that fits as well as a quadratic
 *                           surface, and a cubic surface where only that fits. If not, all are quadratic surfaces where the
 *                           points determine one.}
+*     \cgalParamType{Boolean}
+*     \cgalParamDefault{`true`}
+*   \cgalParamNEnd
+*   \cgalParamNBegin{use_round_patches}
+*     \cgalParamDescription{Adaptive method: whether a patch that bends may go on to bend as circles do, where that fits better. If not,
+*                           it does so as parabolas do.}
 *     \cgalParamType{Boolean}
 *     \cgalParamDefault{`true`}
 *   \cgalParamNEnd

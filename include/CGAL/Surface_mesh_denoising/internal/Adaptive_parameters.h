@@ -46,6 +46,7 @@ struct Adaptive_parameters
   // what can be switched off
   bool use_adaptive_neighborhoods = true;
   bool use_adaptive_degree = true;
+  bool use_round_patches = true;
   bool refit_patches = true;
   bool use_gentle_path = true;
   bool use_linear_path = true;

@@ -262,7 +262,7 @@ private:
   public:
     Worker(const Patch_blend& blend, const Indexed_dual_graph& dual)
       : m_blend(blend), m_search(dual),
-        m_fit(blend.m_parameters, blend.m_pilot_error, blend.m_effort, blend.m_squared_noise)
+        m_fit(blend.m_parameters, blend.m_pilot_error, blend.m_effort, blend.m_squared_noise, blend.m_extent)
     {}
 
     void operator()(const Index seed, Patch& patch)

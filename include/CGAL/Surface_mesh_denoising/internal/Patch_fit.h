@@ -51,7 +51,8 @@ struct Patch_frame
 };
 
 // A surface h(u,v) = c0 + c1 u + c2 v + c3 u^2 + c4 uv + c5 v^2 over the plane of a patch, or a cubic one, which has the terms
-// c6 u^3 + c7 u^2 v + c8 u v^2 + c9 v^3, too, with the covariance of its coefficients in units of the squared noise of the points
+// c6 u^3 + c7 u^2 v + c8 u v^2 + c9 v^3, too, with the covariance of its coefficients in units of the squared noise of points.
+// If it is round, this is h - roundness h^2 instead of h: parabolas become circles, as 2 r h = u^2 + h^2 is that of radius r
 struct Patch_surface
 {
   typedef Eigen::Matrix<double, 6, 1>       Quadric_vector;
@@ -62,9 +63,13 @@ struct Patch_surface
   Vector coefficients = Vector::Zero();
   Matrix covariance = Matrix::Zero();
   bool is_cubic = false;
+  double roundness = 0; // one over a length
   double risk = std::numeric_limits<double>::infinity(); // mean squared error expected
   double squared_bias = 0;                               // the share of it that is not noise
   std::size_t number_of_faces = 0, number_of_points = 0;
+
+  // beyond this angle to their planes, round surfaces do not count
+  static constexpr double least_growth = 0.3;
 
   // the first so many of 1, u, v, u^2, uv, v^2, u^3, and so on
   template <int number>
@@ -82,11 +87,16 @@ struct Patch_surface
     return m;
   }
 
-  double height(const double u, const double v) const { return is_cubic ? value<10>(u, v) : value<6>(u, v); }
+  double height(const double u, const double v) const
+  {
+    const double h = polynomial(u, v);
+    return 2 * h / (1 + growth(h)); // a root of h - roundness h^2, without cancellation
+  }
 
   double variance_of_height(const double u, const double v) const
   {
-    return is_cubic ? variance<10>(monomials<10>(u, v)) : variance<6>(monomials<6>(u, v));
+    const double g = growth(polynomial(u, v));
+    return (is_cubic ? variance<10>(monomials<10>(u, v)) : variance<6>(monomials<6>(u, v))) / (g * g);
   }
 
   // the sum of the variances of the two slopes, in units of the extent
@@ -94,10 +104,11 @@ struct Patch_surface
   {
     const Quadric_vector du = (Quadric_vector() << 0, 1, 0, 2*u, v, 0).finished(),
                          dv = (Quadric_vector() << 0, 0, 1, 0, u, 2*v).finished();
+    const double g = growth(polynomial(u, v));
     if(!is_cubic)
-      return variance<6>(du) + variance<6>(dv);
-    return variance<10>((Vector() << du, 3*u*u, 2*u*v, v*v, 0).finished())
-         + variance<10>((Vector() << dv, 0, u*u, 2*u*v, 3*v*v).finished());
+      return (variance<6>(du) + variance<6>(dv)) / (g * g);
+    return (variance<10>((Vector() << du, 3*u*u, 2*u*v, v*v, 0).finished())
+            + variance<10>((Vector() << dv, 0, u*u, 2*u*v, 3*v*v).finished())) / (g * g);
   }
 
   // a vector along the normal, whose component along the axis of the frame is one
@@ -110,10 +121,19 @@ struct Patch_surface
       slope_u += 3*c[6]*u*u + 2*c[7]*u*v + c[8]*v*v;
       slope_v += c[7]*u*u + 2*c[8]*u*v + 3*c[9]*v*v;
     }
-    return frame.axis - slope_u * frame.tangents[0] - slope_v * frame.tangents[1];
+    const double g = growth(polynomial(u, v));
+    return frame.axis - slope_u / g * frame.tangents[0] - slope_v / g * frame.tangents[1];
   }
 
 private:
+  double polynomial(const double u, const double v) const { return is_cubic ? value<10>(u, v) : value<6>(u, v); }
+
+  // That of the polynomial, whose value is `h`, by height. On a circle it is the cosine of the angle to the plane
+  double growth(const double h) const
+  {
+    return std::sqrt((std::max)(least_growth * least_growth, 1 - 4 * roundness * h));
+  }
+
   template <int number>
   double value(const double u, const double v) const
   {
@@ -133,7 +153,7 @@ private:
 //
 // Coefficients are those that fit the observed points best; what they are worth is told by the pilot's points, which
 // hold much less noise and so show sooner where the surface leaves the fit. They tell the axis of a cylinder, too, which
-// so takes but one coefficient more than a plane.
+// so takes but one coefficient more than a plane. What bends may go on as circles do, which takes no coefficient at all.
 class Patch_fit
 {
   typedef Indexed_triangle_mesh::Point_3    Point_3;
@@ -145,9 +165,10 @@ class Patch_fit
 
 public:
   Patch_fit(const Adaptive_parameters& parameters, const Pilot_error& pilot_error, const Patch_effort& effort,
-            const double squared_noise)
+            const double squared_noise, const double extent)
     : m_parameters(parameters), m_pilot_error(pilot_error), m_hopeless_risk(effort.hopeless_risk),
-      m_has_cubics(pilot_error.is_fine && parameters.use_adaptive_degree), m_squared_noise(squared_noise)
+      m_has_cubics(pilot_error.is_fine && parameters.use_adaptive_degree), m_squared_noise(squared_noise),
+      m_squared_extent(extent * extent)
   {}
 
   void clear()
@@ -155,7 +176,9 @@ public:
     m_moments.setZero();
     m_rhs.setZero();
     m_pilot_rhs.setZero();
-    m_squared_pilot_heights = 0;
+    m_square_rhs.setZero();
+    m_powers_of_pilot_heights.setZero();
+    m_least_pilot_height = m_largest_pilot_height = 0;
     m_number_of_points = 0;
     m_best = Patch_surface();
   }
@@ -168,7 +191,10 @@ public:
       add<10, 28>(u, v, height, pilot_height);
     else
       add<6, 15>(u, v, height, pilot_height);
-    m_squared_pilot_heights += pilot_height * pilot_height;
+    const double square = pilot_height * pilot_height;
+    m_powers_of_pilot_heights += Eigen::Vector3d(square, square * pilot_height, square * square);
+    m_least_pilot_height = (std::min)(m_least_pilot_height, pilot_height);
+    m_largest_pilot_height = (std::max)(m_largest_pilot_height, pilot_height);
     ++m_number_of_points;
   }
 
@@ -198,6 +224,7 @@ public:
     // what a curved surface explains more than a plane must be worth its further coefficients
     Quadric_vector c = Quadric_vector::Zero();
     Matrix_6x4 cylinder_basis;
+    Eigen::LLT<Eigen::Matrix4d> cylinder_llt;
     std::size_t number_of_coefficients = 3;
     if(has_quadric)
     {
@@ -223,17 +250,23 @@ public:
         c.tail<3>() = curvature * bend;
         cylinder_basis.setIdentity();
         cylinder_basis.col(3).tail<3>() = bend;
+        cylinder_llt.compute(cylinder_basis.transpose() * (matrix * cylinder_basis));
         number_of_coefficients = 4;
       }
     }
     const Eigen::Matrix3d lower_left = llt.matrixLLT().bottomLeftCorner<3, 3>();
     c.head<3>() = plane_factor.triangularView<Eigen::Lower>().transpose()
                               .solve(Eigen::Vector3d(plane_reduced - lower_left.transpose() * c.tail<3>()));
+    double roundness = 0;
+    if(number_of_coefficients == 6)
+      roundness = make_round(matrix, [&](const Quadric_vector& rhs) -> Quadric_vector { return llt.solve(rhs); }, c);
+    else if(number_of_coefficients == 4)
+      roundness = make_round(matrix, [&](const Quadric_vector& rhs) -> Quadric_vector
+                                     { return cylinder_basis * cylinder_llt.solve(cylinder_basis.transpose() * rhs); }, c);
     if(!c.allFinite())
       return true;
 
-    const Risk risk = risk_of(m_squared_pilot_heights - 2 * c.dot(m_pilot_rhs.head<6>()) + c.dot(matrix * c),
-                              number_of_coefficients);
+    const Risk risk = risk_of(misfit(matrix, c, roundness), number_of_coefficients);
     // four more coefficients must have some bias to take away
     if(m_has_cubics && has_quadric && risk.squared_bias > 4 * m_squared_noise / double(m_number_of_points)
        && update_by_cubic(number_of_faces, risk))
@@ -245,6 +278,7 @@ public:
     m_best.coefficients.head<6>() = c;
     m_best.coefficients.tail<4>().setZero();
     m_best.is_cubic = false;
+    m_best.roundness = roundness;
     auto covariance = m_best.covariance.topLeftCorner<6, 6>();
     covariance.setZero();
     if(number_of_coefficients == 3)
@@ -255,8 +289,7 @@ public:
     }
     else if(number_of_coefficients == 4)
     {
-      const Eigen::Matrix4d cylinder_matrix = cylinder_basis.transpose() * (matrix * cylinder_basis);
-      covariance = cylinder_basis * cylinder_matrix.llt().solve(Eigen::Matrix<double, 4, 6>(cylinder_basis.transpose()));
+      covariance = cylinder_basis * cylinder_llt.solve(Eigen::Matrix<double, 4, 6>(cylinder_basis.transpose()));
     }
     else
     {
@@ -275,6 +308,7 @@ private:
     m_moments.head<number_of_moments>() += m;
     m_rhs.head<number>() += height * m.template head<number>();
     m_pilot_rhs.head<number>() += pilot_height * m.template head<number>();
+    m_square_rhs.head<number>() += pilot_height * pilot_height * m.template head<number>();
   }
 
   // that of the first so many coefficients: the sums of the products of each two monomials, which are monomials, too
@@ -287,6 +321,40 @@ private:
       for(int l=0; l<number; ++l)
         matrix(k, l) = m_moments[k + l + degrees[k] * degrees[l]];
     return matrix;
+  }
+
+  // of a surface with such coefficients to the pilot, in squares
+  template <int number>
+  double misfit(const Eigen::Matrix<double, number, number>& matrix, const Eigen::Matrix<double, number, 1>& c,
+                const double roundness) const
+  {
+    const Eigen::Vector3d factors(1, -2 * roundness, roundness * roundness);
+    return m_powers_of_pilot_heights.dot(factors) + c.dot(matrix * c)
+         - 2 * c.dot(m_pilot_rhs.head<number>() - roundness * m_square_rhs.head<number>());
+  }
+
+  // Makes the surface with coefficients `c` a round one if that fits the pilot better, and returns its roundness. It then bends
+  // as a circle where it bends most. The squares of its heights are those of the pilot; `solve` finds least squares
+  template <int number, typename Solve>
+  double make_round(const Eigen::Matrix<double, number, number>& matrix, const Solve& solve,
+                    Eigen::Matrix<double, number, 1>& c) const
+  {
+    if(!m_parameters.use_round_patches)
+      return 0;
+    const Eigen::Matrix<double, number, 1> square = solve(m_square_rhs.head<number>());
+    // what bends most tells the roundness, on which it depends almost linearly
+    const std::size_t number_of_steps = 3;
+    const auto roundness_of = [&](const Eigen::Matrix<double, number, 1>& c) { return largest_bend(c) / m_squared_extent; };
+    const double first = roundness_of(c);
+    double roundness = first;
+    for(std::size_t k=0; k<number_of_steps; ++k)
+      roundness = first / (1 - (roundness_of(c - roundness * square) - first) / roundness);
+    const Eigen::Matrix<double, number, 1> round = c - roundness * square;
+    if(!(1 - 2 * roundness * (roundness > 0 ? m_largest_pilot_height : m_least_pilot_height) > Patch_surface::least_growth)
+       || !(misfit(matrix, round, roundness) < misfit<number>(matrix, c, 0)))
+      return 0;
+    c = round;
+    return roundness;
   }
 
   struct Risk
@@ -327,8 +395,9 @@ private:
     const Vector reduced = llt.matrixL().solve(m_rhs);
     if(worth(reduced.tail<4>().squaredNorm(), m_parameters.cubic_threshold) < 0)
       return false;
-    const Vector c = llt.matrixU().solve(reduced);
-    const Risk risk = risk_of(m_squared_pilot_heights - 2 * c.dot(m_pilot_rhs) + c.dot(matrix * c), 10);
+    Vector c = llt.matrixU().solve(reduced);
+    const double roundness = make_round(matrix, [&](const Vector& rhs) -> Vector { return llt.solve(rhs); }, c);
+    const Risk risk = risk_of(misfit(matrix, c, roundness), 10);
     if(!(risk.total < (std::min)(m_best.risk, other_risk.total))
        || !(risk.squared_bias <= m_parameters.largest_bias_of_cubic * other_risk.squared_bias) || !c.allFinite())
       return false;
@@ -336,10 +405,19 @@ private:
     keep(risk, number_of_faces);
     m_best.coefficients = c;
     m_best.is_cubic = true;
+    m_best.roundness = roundness;
     Matrix inverse = Matrix::Identity();
     llt.matrixL().solveInPlace(inverse);
     m_best.covariance.noalias() = inverse.transpose() * inverse;
     return true;
+  }
+
+  // the one of the two eigenvalues of c3 u^2 + c4 uv + c5 v^2 that is farther from zero
+  template <int number>
+  static double largest_bend(const Eigen::Matrix<double, number, 1>& c)
+  {
+    const double mean = (c[3] + c[5]) / 2;
+    return mean + std::copysign(std::sqrt((c[3] - c[5]) * (c[3] - c[5]) + c[4] * c[4]) / 2, mean);
   }
 
   // The part c3 u^2 + c4 uv + c5 v^2 of a parabolic cylinder with second derivative two, bent the way where the given one
@@ -360,11 +438,13 @@ private:
   double m_hopeless_risk;
   bool m_has_cubics;
   double m_squared_noise;
+  double m_squared_extent;
 
   // sums over the points; without cubics, of the monomials that quadrics need
   Eigen::Matrix<double, 28, 1> m_moments;
-  Vector m_rhs, m_pilot_rhs;
-  double m_squared_pilot_heights;
+  Vector m_rhs, m_pilot_rhs, m_square_rhs;
+  Eigen::Vector3d m_powers_of_pilot_heights; // from the second on
+  double m_least_pilot_height, m_largest_pilot_height;
   std::size_t m_number_of_points;
   Patch_surface m_best;
 };
