@@ -165,7 +165,7 @@ struct Adaptive_parameters
 
   // Patches
   double normal_weight = 150;
-  std::array<std::size_t, 12> patch_sizes{{12, 18, 27, 40, 60, 90, 135, 200, 300, 450, 675, 1000}}; // faces
+  std::array<std::size_t, 14> patch_sizes{{12, 18, 27, 40, 60, 90, 135, 200, 300, 450, 675, 1000, 1500, 2250}}; // faces
   std::size_t fixed_patch_size = 40;            // where sizes are not adaptive
   std::size_t least_number_of_points = 8;
   double patch_extent = 14;                     // a length of about the radius of a patch, in distances of centroids
