@@ -117,8 +117,8 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *   starts from the noise level and shrinks, and vertices moved to agree with them.
 * - <em>Patches</em> are fitted to the points as they were given. The neighborhood of a patch, see
 *   `anisotropic_neighborhood()`, grows over the pilot as long as that promises to lower the error of the fit; so does the
-*   choice between a plane and a quadratic surface. Patches overlap, and each vertex goes where those over it agree best. They are
-*   <em>fitted again</em>, with the first ones in place of the pilot.
+*   choice between a plane, a quadratic surface, and one that bends as circles do. Patches overlap, and each vertex goes where
+*   those over it agree best. They are <em>fitted again</em>, with the first ones in place of the pilot.
 * - A <em>gentle path</em>, many small steps with wide ranges, makes a second result that spares small detail, a <em>linear
 *   path</em>, Taubin's smoothing \cgalCite{cgal:t-spafs-95}, a third one that needs no normals, for where triangles are smaller than the
 *   noise, and a <em>quadric path</em>, means of the planes around \cgalCite{cgal:jdd-nfms-03}, a fourth one for weak noise on smooth
