@@ -68,7 +68,7 @@ struct Patch_surface
   double squared_bias = 0;                               // the share of it that is not noise
   std::size_t number_of_faces = 0, number_of_points = 0;
 
-  // beyond this angle to their planes, round surfaces do not count
+  // the least cosine of the angle of a round surface to its plane
   static constexpr double least_growth = 0.3;
 
   // the first so many of 1, u, v, u^2, uv, v^2, u^3, and so on
@@ -342,18 +342,17 @@ private:
     if(!m_parameters.use_round_patches)
       return 0;
     const Eigen::Matrix<double, number, 1> square = solve(m_square_rhs.head<number>());
-    // what bends most tells the roundness, on which it depends almost linearly
+    const auto round = [&](const double roundness) -> Eigen::Matrix<double, number, 1> { return c - roundness * square; };
+    // the roundness that the bend of the round surface tells, on which that depends almost linearly, by secants from zero on
     const std::size_t number_of_steps = 3;
-    const auto roundness_of = [&](const Eigen::Matrix<double, number, 1>& c) { return largest_bend(c) / m_squared_extent; };
-    const double first = roundness_of(c);
+    const double first = largest_bend(c) / m_squared_extent;
     double roundness = first;
     for(std::size_t k=0; k<number_of_steps; ++k)
-      roundness = first / (1 - (roundness_of(c - roundness * square) - first) / roundness);
-    const Eigen::Matrix<double, number, 1> round = c - roundness * square;
+      roundness = first / (1 - (largest_bend(round(roundness)) / m_squared_extent - first) / roundness);
     if(!(1 - 2 * roundness * (roundness > 0 ? m_largest_pilot_height : m_least_pilot_height) > Patch_surface::least_growth)
-       || !(misfit(matrix, round, roundness) < misfit<number>(matrix, c, 0)))
+       || !(misfit(matrix, round(roundness), roundness) < misfit<number>(matrix, c, 0)))
       return 0;
-    c = round;
+    c = round(roundness);
     return roundness;
   }
 
