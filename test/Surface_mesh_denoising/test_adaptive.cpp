@@ -1532,7 +1532,7 @@ TEST(Patch_fit, Cubics_are_for_smooth_shapes_that_a_fine_pilot_shows_on_all_side
 {
   const auto is_cubic = [](const Sampled_heights& sample, const bool is_pilot_fine = true)
   {
-    return sample.fit(SMD::internal::Adaptive_parameters(), is_pilot_fine).is_cubic;
+    return sample.fit(SMD::internal::Adaptive_parameters(), is_pilot_fine).is_cubic();
   };
   for(unsigned int seed=1; seed<=20; ++seed)
   {
@@ -1605,7 +1605,7 @@ TEST(Patch_fit, Round_surfaces_are_spheres_and_cylinders)
       const SMD::internal::Patch_surface fit = sample.fit(parameters, true, extent);
       const SMD::internal::Patch_surface parabolic = sample.fit(without, true, extent);
       EXPECT_EQ(parabolic.roundness, 0);
-      EXPECT_FALSE(fit.is_cubic);
+      EXPECT_FALSE(fit.is_cubic());
       EXPECT_NEAR(fit.risk - fit.squared_bias, parabolic.risk - parabolic.squared_bias, 1e-18); // as many coefficients
       const SMD::internal::Patch_frame frame(Indexed::Point_3(0, 0, 0), Indexed::Vector_3(0, 0, 1), extent);
       double largest_error_of_parabolas = 0;

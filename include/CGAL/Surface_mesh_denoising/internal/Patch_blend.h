@@ -331,12 +331,20 @@ private:
       const double height_bias = surface.squared_bias + 1e-3 * squared_noise;
       const auto taper = [](const std::size_t k, const std::size_t n) { return 1.02 - double(k) / double(n); };
 
+      const auto slope_at = [&](const double u, const double v)
+      {
+        const Vector_3 n = surface.normal(m_frame, u, v);
+        return Slope{ n, std::sqrt(n.squared_length()), surface.variance_of_slopes(u, v) };
+      };
+      const bool is_plane = surface.is_plane();
+      const Slope slope_of_plane = slope_at(0, 0);
+
       m_feet.clear();
       for(std::size_t k=0; k<surface.number_of_points; ++k)
       {
         const Patch_point& q = m_points[k];
-        const Vector_3 n = surface.normal(m_frame, q.u, q.v);
-        const double cosine = 1 / std::sqrt(n.squared_length());
+        const Vector_3 n = is_plane ? slope_of_plane.normal : surface.normal(m_frame, q.u, q.v);
+        const double cosine = 1 / (is_plane ? slope_of_plane.length : std::sqrt(n.squared_length()));
         const double leverage = surface.variance_of_height(q.u, q.v);
         const double weight = taper(q.rank, surface.number_of_points) / (squared_noise * leverage + height_bias);
         patch.vertices.push_back(Vertex_term{ q.vertex, weight, leverage, cosine * n,
@@ -348,27 +356,35 @@ private:
       {
         const Index f = faces[k].face;
         const Point_3& c = m_blend.m_geometry.centroid(f);
-        const double u = m_frame.u(c), v = m_frame.v(c);
-        const Vector_3 n = surface.normal(m_frame, u, v);
-        const double length = std::sqrt(n.squared_length());
+        const Slope slope = is_plane ? slope_of_plane : slope_at(m_frame.u(c), m_frame.v(c));
         const double weight = taper(k, surface.number_of_faces)
-                            / ((slope_unit * surface.variance_of_slopes(u, v) + slope_bias) * length);
-        patch.faces.push_back(Face_term{ f, weight * normal_of_face(f, n, length), weight * n });
+                            / ((slope_unit * slope.variance + slope_bias) * slope.length);
+        patch.faces.push_back(Face_term{ f, weight * (is_plane ? slope.normal : normal_of_face(f, slope)),
+                                         weight * slope.normal });
       }
     }
 
+    // of the surface of a patch, at a point: the same everywhere on a plane
+    struct Slope
+    {
+      Vector_3 normal;
+      double length;
+      double variance;
+    };
+
     // The normal that a face has when its vertices are on the surface. Where that bends, it may differ much from the normal
-    // `n` of the surface at the centroid: for a sphere, it is that at the circumcenter. Over a coarse pilot patches follow what
-    // is no shape, and faces take `n`. The result is as long as `n`, which is `length`
-    Vector_3 normal_of_face(const Index f, const Vector_3& n, const double length)
+    // of the surface at the centroid: for a sphere, it is that at the circumcenter. Over a coarse pilot patches follow what
+    // is no shape, and faces take that of the surface. The result is as long as that
+    Vector_3 normal_of_face(const Index f, const Slope& slope)
     {
       if(!m_blend.m_pilot_error.is_fine)
-        return n;
+        return slope.normal;
       std::array<Point_3, 3> feet;
       std::transform(m_blend.m_mesh.vertices(f).begin(), m_blend.m_mesh.vertices(f).end(), feet.begin(),
                      [&](const Index v) { return m_feet[m_numbering.insert(v).first]; });
       const Vector_3 area = cross_product(feet[1] - feet[0], feet[2] - feet[0]);
-      return (area * n > 0) ? length / std::sqrt(area.squared_length()) * area : n; // noise along the surface turns faces
+      return (area * slope.normal > 0) ? slope.length / std::sqrt(area.squared_length()) * area
+                                       : slope.normal; // noise along the surface turns faces
     }
 
     struct Patch_point

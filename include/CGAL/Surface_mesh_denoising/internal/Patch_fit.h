@@ -62,14 +62,17 @@ struct Patch_surface
 
   Vector coefficients = Vector::Zero();
   Matrix covariance = Matrix::Zero();
-  bool is_cubic = false;
-  double roundness = 0; // one over a length
+  int number_of_terms = 3; // of a plane, a quadric or a cubic; the other coefficients are zero
+  double roundness = 0;    // one over a length
   double risk = std::numeric_limits<double>::infinity(); // mean squared error expected
   double squared_bias = 0;                               // the share of it that is not noise
   std::size_t number_of_faces = 0, number_of_points = 0;
 
   // the least cosine of the angle of a round surface to its plane
   static constexpr double least_growth = 0.3;
+
+  bool is_plane() const { return number_of_terms == 3; }
+  bool is_cubic() const { return number_of_terms == 10; }
 
   // the first so many of 1, u, v, u^2, uv, v^2, u^3, and so on
   template <int number>
@@ -96,16 +99,19 @@ struct Patch_surface
   double variance_of_height(const double u, const double v) const
   {
     const double g = growth(polynomial(u, v));
-    return (is_cubic ? variance<10>(monomials<10>(u, v)) : variance<6>(monomials<6>(u, v))) / (g * g);
+    return (is_plane() ? variance<3>(monomials<3>(u, v)) :
+            is_cubic() ? variance<10>(monomials<10>(u, v)) : variance<6>(monomials<6>(u, v))) / (g * g);
   }
 
   // the sum of the variances of the two slopes, in units of the extent
   double variance_of_slopes(const double u, const double v) const
   {
+    if(is_plane())
+      return covariance(1, 1) + covariance(2, 2);
     const Quadric_vector du = (Quadric_vector() << 0, 1, 0, 2*u, v, 0).finished(),
                          dv = (Quadric_vector() << 0, 0, 1, 0, u, 2*v).finished();
     const double g = growth(polynomial(u, v));
-    if(!is_cubic)
+    if(!is_cubic())
       return (variance<6>(du) + variance<6>(dv)) / (g * g);
     return (variance<10>((Vector() << du, 3*u*u, 2*u*v, v*v, 0).finished())
             + variance<10>((Vector() << dv, 0, u*u, 2*u*v, 3*v*v).finished())) / (g * g);
@@ -116,7 +122,7 @@ struct Patch_surface
   {
     const Vector& c = coefficients;
     double slope_u = c[1] + 2*c[3]*u + c[4]*v, slope_v = c[2] + c[4]*u + 2*c[5]*v;
-    if(is_cubic)
+    if(is_cubic())
     {
       slope_u += 3*c[6]*u*u + 2*c[7]*u*v + c[8]*v*v;
       slope_v += c[7]*u*u + 2*c[8]*u*v + 3*c[9]*v*v;
@@ -126,12 +132,13 @@ struct Patch_surface
   }
 
 private:
-  double polynomial(const double u, const double v) const { return is_cubic ? value<10>(u, v) : value<6>(u, v); }
+  double polynomial(const double u, const double v) const
+  { return is_plane() ? value<3>(u, v) : is_cubic() ? value<10>(u, v) : value<6>(u, v); }
 
   // That of the polynomial, whose value is `h`, by height. On a circle it is the cosine of the angle to the plane
   double growth(const double h) const
   {
-    return std::sqrt((std::max)(least_growth * least_growth, 1 - 4 * roundness * h));
+    return (roundness == 0) ? 1 : std::sqrt((std::max)(least_growth * least_growth, 1 - 4 * roundness * h));
   }
 
   template <int number>
@@ -277,7 +284,7 @@ public:
     keep(risk, number_of_faces);
     m_best.coefficients.head<6>() = c;
     m_best.coefficients.tail<4>().setZero();
-    m_best.is_cubic = false;
+    m_best.number_of_terms = (number_of_coefficients == 3) ? 3 : 6;
     m_best.roundness = roundness;
     auto covariance = m_best.covariance.topLeftCorner<6, 6>();
     covariance.setZero();
@@ -403,7 +410,7 @@ private:
 
     keep(risk, number_of_faces);
     m_best.coefficients = c;
-    m_best.is_cubic = true;
+    m_best.number_of_terms = 10;
     m_best.roundness = roundness;
     Matrix inverse = Matrix::Identity();
     llt.matrixL().solveInPlace(inverse);
