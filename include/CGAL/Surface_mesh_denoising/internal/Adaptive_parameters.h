@@ -129,11 +129,11 @@ struct Adaptive_parameters
   double largest_normal_deviation = 0.2;        // of a face from the surface that it is part of
   double deviation_by_noise = 0.4;              // the way of a vertex by those, times noise leverage^(3/2) of patches
   std::size_t gentle_number_of_steps = 19;      // before one step of relaxation; those after it
-  std::size_t gentle_last_number_of_moves = 8;  // move the vertices so often,
+  std::size_t gentle_last_number_of_moves = 6;  // move the vertices so often,
   std::size_t gentle_number_of_height_steps = 80; // and heights are smoothed so often
   std::size_t gentle_steps_between_weights = 6; // or less, where a band ends
   std::array<std::size_t, 3> gentle_global_band_ends = {{ 1, 2, 4 }};
-  std::array<std::size_t, 6> gentle_local_band_ends = {{ 6, 9, 13, 19, 20, 32 }};
+  std::array<std::size_t, 6> gentle_local_band_ends = {{ 6, 9, 13, 19, 20, 28 }};
   std::size_t number_of_relaxations = 3;
   double relaxation_range_along_normals = 0.25; // times noise
   double relaxation_range_across_normals = 0.75;
@@ -177,9 +177,9 @@ struct Adaptive_parameters
   Pilot_error pilot_error = { 0.3, 6, false };
   Pilot_error first_patches_error = { 0.15, 15, true }; // where they are the pilot of the second ones
   Patch_effort first_patches_effort = { 1.5, 0.35 };
-  Patch_effort last_patches_effort = { 2, 0.25 };
-  std::size_t number_of_rounds = 8;             // in which seeds are chosen,
-  std::size_t rings_around_first_seeds = 3;     // without another seed in so many rings, one less from round to round
+  Patch_effort last_patches_effort = { 3, 0.2 };
+  std::size_t number_of_rounds = 10;            // in which seeds are chosen,
+  std::size_t rings_around_first_seeds = 5;     // without another seed in so many rings, one less from round to round
   double tangential_weight = 0.03;              // holds a vertex in the directions that its patches leave free
   std::array<double, 2> noise_to_keep_to_pilot = {{ 1, 2 }}; // Between these times the height of triangles, from none to all
   std::size_t patch_number_of_moves = 5;
