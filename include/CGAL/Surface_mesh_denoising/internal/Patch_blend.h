@@ -344,7 +344,7 @@ private:
       {
         const Patch_point& q = m_points[k];
         const Vector_3 n = is_plane ? slope_of_plane.normal : surface.normal(m_frame, q.u, q.v);
-        const double cosine = 1 / (is_plane ? slope_of_plane.length : std::sqrt(n.squared_length()));
+        const double cosine = 1 / std::sqrt(n.squared_length());
         const double leverage = surface.variance_of_height(q.u, q.v);
         const double weight = taper(q.rank, surface.number_of_points) / (squared_noise * leverage + height_bias);
         patch.vertices.push_back(Vertex_term{ q.vertex, weight, leverage, cosine * n,
@@ -359,8 +359,7 @@ private:
         const Slope slope = is_plane ? slope_of_plane : slope_at(m_frame.u(c), m_frame.v(c));
         const double weight = taper(k, surface.number_of_faces)
                             / ((slope_unit * slope.variance + slope_bias) * slope.length);
-        patch.faces.push_back(Face_term{ f, weight * (is_plane ? slope.normal : normal_of_face(f, slope)),
-                                         weight * slope.normal });
+        patch.faces.push_back(Face_term{ f, weight * normal_of_face(f, slope), weight * slope.normal });
       }
     }
 
@@ -374,10 +373,10 @@ private:
 
     // The normal that a face has when its vertices are on the surface. Where that bends, it may differ much from the normal
     // of the surface at the centroid: for a sphere, it is that at the circumcenter. Over a coarse pilot patches follow what
-    // is no shape, and faces take that of the surface. The result is as long as that
+    // is no shape, and faces take that of the surface, as they do on planes. The result is as long as that
     Vector_3 normal_of_face(const Index f, const Slope& slope)
     {
-      if(!m_blend.m_pilot_error.is_fine)
+      if(!m_blend.m_pilot_error.is_fine || m_fit.best().is_plane())
         return slope.normal;
       std::array<Point_3, 3> feet;
       std::transform(m_blend.m_mesh.vertices(f).begin(), m_blend.m_mesh.vertices(f).end(), feet.begin(),
