@@ -122,12 +122,13 @@ class Figures:
 
         models = {'cad_part': 'part', 'cut_sphere': 'cut sphere', 'organic_shape': 'organic', 'cad_part_in_all_directions': 'part (2)',
                   'organic_shape_in_all_directions': 'organic (2)', 'cad_part_with_impulses': 'part (3)',
-                  'coarse_cad_part': 'part (4)', 'coarse_organic_shape': 'organic (4)', 'uneven': 'uneven'}
+                  'coarse_cad_part': 'part (4)', 'coarse_organic_shape': 'organic (4)',
+                  'cad_part_on_one_side': 'part (5)', 'uneven': 'uneven'}
         distances = ('organic_shape', 'uneven')
         ablation = []
         for stage in ('none', 'use_adaptive_neighborhoods', 'use_adaptive_degree', 'use_round_patches', 'refit_patches',
                       'use_gentle_path', 'use_linear_path', 'use_quadric_path', 'remove_tangential_noise', 'remove_impulses',
-                      'refine_noise_level', 'reassign_faces', 'unfold_faces', 'preserve_volume'):
+                      'locate_noise', 'refine_noise_level', 'reassign_faces', 'unfold_faces', 'preserve_volume'):
             errors = {model: self.errors[f'ablation_{model}_{stage}'] for model in models}
             ablation.append(['all stages' if stage == 'none' else f'without `{stage}`'] +
                             [f'{e[0]:.2f}' for e in errors.values()] + [f'{errors[m][1]:.3f}' for m in distances] +

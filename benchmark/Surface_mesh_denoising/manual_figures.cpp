@@ -237,10 +237,8 @@ void methods(const std::string& model)
 }
 
 // what each stage of the adaptive method brings: all of them, and all but one
-template <typename NamedParameters>
-void ablation(const std::string& title, const Mesh& mesh, const NamedParameters& noise)
+void ablation_of(const std::string& title, const Mesh& mesh, const Mesh& noisy)
 {
-  const Mesh noisy = with_noise(mesh, noise);
   const auto run = [&](const std::string& name, const auto& parameters)
   {
     Mesh denoised = noisy;
@@ -257,10 +255,17 @@ void ablation(const std::string& title, const Mesh& mesh, const NamedParameters&
   run("use_quadric_path", np::use_quadric_path(false));
   run("remove_tangential_noise", np::remove_tangential_noise(false));
   run("remove_impulses", np::remove_impulses(false));
+  run("locate_noise", np::locate_noise(false));
   run("refine_noise_level", np::refine_noise_level(false));
   run("reassign_faces", np::reassign_faces(false));
   run("unfold_faces", np::unfold_faces(false));
   run("preserve_volume", np::preserve_volume(false));
+}
+
+template <typename NamedParameters>
+void ablation(const std::string& title, const Mesh& mesh, const NamedParameters& noise)
+{
+  ablation_of(title, mesh, with_noise(mesh, noise));
 }
 
 int main(int argc, char* argv[])
@@ -286,6 +291,10 @@ int main(int argc, char* argv[])
     ablation("cad_part_with_impulses", generated("cad_part", 10000), np::noise_level(0.5).noise_share(0.1));
     for(const char* model : { "cad_part", "organic_shape" })
       ablation(std::string("coarse_") + model, generated(model, 1500), np::noise_level(0.05));
+    const Mesh part = generated("cad_part", 10000);
+    Mesh noisy_part = part;
+    SMD::add_noise(generated_models::vertices_on_one_side(part), noisy_part, np::noise_level(0.3));
+    ablation_of("cad_part_on_one_side", part, noisy_part);
     const generated_models::Model uneven = generated_models::uneven(generated_model("organic_shape", 10000));
     ablation("uneven", generated_models::to_mesh<Mesh>(uneven), np::noise_level(0.3));
     parameters("cad_part", 5000);

@@ -438,6 +438,162 @@ TEST(Adaptive_fitting, Impulses_go)
   EXPECT_EQ(points_of(denoised(other)), points_of(denoised(other, params::remove_impulses(false))));
 }
 
+// ---- noise that is stronger in some places
+
+// white noise of the given deviations, as residuals
+std::vector<double> white_noise(const std::vector<double>& deviations)
+{
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  std::vector<double> noise;
+  for(const double d : deviations)
+    noise.push_back(d * normal(random));
+  return noise;
+}
+
+TEST(Local_levels, Are_those_of_white_noise)
+{
+  const Mesh mesh = plane();
+  const SMD::internal::Vertex_neighbors neighbors(indexed_mesh(mesh));
+  const std::vector<bool> counts(num_vertices(mesh), true);
+  const double deviation_of_differences = std::sqrt(1 + 1. / 6);
+  const auto levels = [&](const std::vector<double>& residuals)
+  {
+    return SMD::internal::local_levels<CGAL::Sequential_tag>(neighbors, counts, residuals, 1, deviation_of_differences);
+  };
+
+  std::vector<double> deviations(counts.size(), 0.3);
+  const SMD::internal::Local_levels even = levels(white_noise(deviations));
+  EXPECT_NEAR(even.strong, 0.3, 0.06);
+  EXPECT_NEAR(even.weak, 0.3, 0.06);
+  EXPECT_NEAR(even.normality, 1, 0.1);
+
+  // half of the plane, and far from its border
+  for(const Vertex v : mesh.vertices())
+    if(mesh.point(v).x() < 30)
+      deviations[std::size_t(v)] = 0.05;
+  const SMD::internal::Local_levels uneven = levels(white_noise(deviations));
+  EXPECT_NEAR(uneven.strong, 0.3, 0.06);
+  EXPECT_NEAR(uneven.weak, 0.05, 0.01);
+  EXPECT_NEAR(uneven.normality, 1, 0.1);
+  EXPECT_NEAR(uneven.correlations[0], -0.25, 0.06);
+  for(const Vertex v : mesh.vertices())
+    if(std::abs(mesh.point(v).x() - 30) > 15)
+    {
+      EXPECT_NEAR(uneven.levels[std::size_t(v)] / deviations[std::size_t(v)], 1, 0.35);
+    }
+
+  // what neighbors have in common is not white, and impulses are not normally distributed
+  std::vector<double> waves, impulses(counts.size(), 0);
+  for(const Vertex v : mesh.vertices())
+    waves.push_back(std::sin(0.9 * mesh.point(v).x()) * std::sin(1.1 * mesh.point(v).y()));
+  EXPECT_GT(levels(waves).correlations[0], 0);
+  for(std::size_t v=0; v<impulses.size(); v+=17)
+    impulses[v] = 1;
+  EXPECT_LT(levels(impulses).normality, 0.6);
+}
+
+// the mean angle of the faces on the side without noise, away from the other one, and on that
+std::array<double, 2> errors_of_sides(const Mesh& mesh, const Mesh& truth)
+{
+  std::vector<bool> is_noisy(num_vertices(truth), false);
+  for(const Vertex v : generated_models::vertices_on_one_side(truth))
+    is_noisy[std::size_t(v)] = true;
+  // noise is known by a window of some rings
+  std::vector<bool> is_near = is_noisy;
+  for(int k=0; k<5; ++k)
+  {
+    std::vector<bool> wider = is_near;
+    for(const Mesh::Edge_index e : truth.edges())
+      for(const int end : {0, 1})
+        if(is_near[std::size_t(truth.vertex(e, end))])
+          wider[std::size_t(truth.vertex(e, 1 - end))] = true;
+    is_near.swap(wider);
+  }
+  std::array<double, 2> sums = {{ 0, 0 }}, numbers = {{ 0, 0 }};
+  for(const Face f : truth.faces())
+  {
+    int number_of_noisy = 0, number_of_near = 0;
+    for(const Vertex v : truth.vertices_around_face(truth.halfedge(f)))
+    {
+      number_of_noisy += is_noisy[std::size_t(v)];
+      number_of_near += is_near[std::size_t(v)];
+    }
+    if(number_of_noisy < 3 && number_of_near > 0)
+      continue;
+    const int side = (number_of_noisy == 3);
+    sums[side] += CGAL::approximate_angle(PMP::compute_face_normal(f, mesh), PMP::compute_face_normal(f, truth));
+    ++numbers[side];
+  }
+  return {{ sums[0] / numbers[0], sums[1] / numbers[1] }};
+}
+
+TEST(Located_noise, Goes_and_the_other_side_stays)
+{
+  for(const Model_generator model : {models::cube, models::cad_part, models::cut_sphere, models::torus})
+    for(const double level : {0.1, 0.3})
+    {
+      const Mesh truth = irregular_mesh(model, 4000), noisy = with_noise_on_one_side(truth, level);
+      const std::array<double, 2> before = errors_of_sides(noisy, truth), after = errors_of_sides(denoised(noisy), truth);
+      EXPECT_EQ(before[0], 0);
+      EXPECT_LT(after[0], 0.25);
+      EXPECT_LT(after[1], 0.1 * before[1]);
+      EXPECT_LT(error(denoised(noisy), truth), 0.15 * error(denoised(noisy, params::locate_noise(false)), truth));
+    }
+}
+
+// as that of a depth camera, which moves points along its line of sight
+TEST(Located_noise, May_have_one_direction)
+{
+  for(const Model_generator model : {models::cube, models::cylinder, models::sphere, models::cad_part})
+  {
+    const Mesh truth = irregular_mesh(model, 4000);
+    const Vector sight(0.2, 0.3, 0.93);
+    std::mt19937 random(5);
+    std::normal_distribution<double> length(0, 0.3 * mean_edge_length(truth));
+    Mesh noisy = truth;
+    for(const Vertex v : noisy.vertices())
+      noisy.point(v) = noisy.point(v) + length(random) * sight;
+    EXPECT_LT(error(denoised(noisy), truth), 0.1 * error(noisy, truth));
+  }
+}
+
+// else the stage does nothing
+TEST(Located_noise, Differs_from_place_to_place)
+{
+  for(const Model_generator model : {models::cad_part, models::sphere, models::organic_shape})
+    for(const double level : {0., 0.05, 0.3})
+    {
+      const Mesh noisy = noisy_mesh(model, 3000, level);
+      EXPECT_EQ(points_of(denoised(noisy)), points_of(denoised(noisy, params::locate_noise(false))));
+    }
+  Mesh impulses = irregular_mesh(models::cad_part, 3000);
+  SMD::add_noise(impulses, params::noise_level(0.4).noise_share(0.2).random_seed(1));
+  EXPECT_EQ(points_of(denoised(impulses)), points_of(denoised(impulses, params::locate_noise(false))));
+  const Mesh known = with_noise_on_one_side(irregular_mesh(models::cube, 3000), 0.3);
+  EXPECT_EQ(points_of(denoised(known, params::noise_level(0.3))),
+            points_of(denoised(known, params::noise_level(0.3).locate_noise(false))));
+}
+
+// waves of a few edge lengths on one side of a sphere
+TEST(Located_noise, Is_no_detail_of_one_side)
+{
+  Mesh mesh = irregular_mesh(models::sphere, 4000);
+  for(const Vertex v : mesh.vertices())
+  {
+    const Vector p = mesh.point(v) - CGAL::ORIGIN;
+    const double frequency = 30, height = 0.015 * (std::max)(0., p.x());
+    mesh.point(v) = CGAL::ORIGIN + (1 + height * std::sin(frequency * p.y()) * std::sin(frequency * p.z())) * p;
+  }
+  EXPECT_LT(error(denoised(mesh), mesh), 0.5);
+
+  SMD::internal::Adaptive_parameters parameters;
+  parameters.largest_located_correlation = 1;
+  parameters.located_spread_by_correlation = 0;
+  parameters.least_located_noise = 0;
+  EXPECT_GT(error(denoised_by(parameters, mesh), mesh), 0.5);
+}
+
 // with triangles so large beside the shape that quadrics of two rings hardly find a smooth place
 TEST(Adaptive_fitting, Weak_noise_is_told_from_edges)
 {
@@ -685,7 +841,7 @@ TEST(Tangential_noise, Shows_in_turned_faces)
     const auto ratio = [&](const Mesh& noisy, const double level)
     {
       return SMD::internal::tangential_noise_ratio<CGAL::Sequential_tag>(
-        surface, indexed_mesh(noisy).points(), level * mean_edge_length(truth), SMD::internal::Adaptive_parameters());
+        surface, indexed_mesh(noisy).points(), SMD::internal::Noise_map(level * mean_edge_length(truth)), SMD::internal::Adaptive_parameters());
     };
     EXPECT_EQ(ratio(truth, 0.3).value, 0);
     EXPECT_LT(ratio(with_noise(truth, 0.3), 0.3).upper_bound, 0.05);
@@ -715,7 +871,7 @@ Mesh relaxed_along_surface(const Mesh& mesh, const double noise)
   SMD::Indexed_triangle_mesh indexed = indexed_mesh(mesh);
   const std::vector<bool> is_movable(indexed.number_of_vertices(), true);
   SMD::internal::relax_along_surface<CGAL::Sequential_tag>(indexed, is_movable, SMD::internal::Vertex_neighbors(indexed),
-                                                           0.5, noise * indexed.mean_edge_length(),
+                                                           0.5, SMD::internal::Noise_map(noise * indexed.mean_edge_length()),
                                                            SMD::internal::Adaptive_parameters());
   return with_points_of(indexed, mesh);
 }
@@ -814,6 +970,7 @@ struct Linear_path_input
   std::vector<double> disturbances;
   const SMD::internal::Vertex_neighbors neighbors;
   const SMD::internal::Adaptive_parameters parameters;
+  SMD::internal::Noise_map noise_map;
 
   explicit Linear_path_input(const Mesh& input, const double disturbance = 0)
     : mesh(indexed_mesh(input)), observed(mesh.points()), is_movable(observed.size(), true),
@@ -822,7 +979,8 @@ struct Linear_path_input
 
   Path path(const std::vector<Point_3>& points, const double noise)
   {
-    return Path(mesh, points, is_movable, neighbors, disturbances, noise, parameters);
+    noise_map.level = noise;
+    return Path(mesh, points, is_movable, neighbors, disturbances, noise_map, parameters);
   }
 };
 
@@ -954,6 +1112,7 @@ struct Path_input
   const std::vector<Vector_3> normal_deviations;
   const SMD::internal::Vertex_neighbors neighbors;
   SMD::internal::Adaptive_parameters parameters;
+  SMD::internal::Noise_map noise_map;
 
   explicit Path_input(const Mesh& input)
     : mesh(indexed_mesh(input)), observed(mesh.points()), is_movable(observed.size(), true),
@@ -975,8 +1134,9 @@ struct Path_input
   // the noise in mean edge lengths
   Gentle_path gentle_path(const double noise)
   {
-    return Gentle_path(mesh, observed, is_movable, neighbors, normals, disturbances, normal_deviations,
-                       noise * mean_edge_length(), mean_edge_length(), parameters);
+    noise_map.level = noise * mean_edge_length();
+    return Gentle_path(mesh, observed, is_movable, neighbors, normals, disturbances, normal_deviations, noise_map,
+                       mean_edge_length(), parameters);
   }
 };
 
@@ -1240,8 +1400,9 @@ struct Assigned_faces
   {
     const std::vector<bool> is_movable(mesh.number_of_vertices(), true);
     const std::vector<float> shares(normals.size(), share);
+    const SMD::internal::Noise_map noise(mesh.mean_edge_length() / 3);
     SMD::internal::Face_reassignment<CGAL::Sequential_tag>(mesh, observed, is_movable, SMD::internal::Vertex_neighbors(mesh),
-                                                           mesh.mean_edge_length() / 3, 1, shares, parameters, normals).run();
+                                                           noise, 1, shares, parameters, normals).run();
   }
 };
 
@@ -1443,9 +1604,8 @@ struct Sampled_heights
   {
     SMD::internal::Pilot_error pilot_error = parameters.first_patches_error;
     pilot_error.is_fine = is_pilot_fine;
-    SMD::internal::Patch_fit fit(parameters, pilot_error, parameters.last_patches_effort, noise * noise,
-                                 extent);
-    fit.clear();
+    SMD::internal::Patch_fit fit(parameters, pilot_error, parameters.last_patches_effort, extent);
+    fit.clear(noise * noise);
     for(Eigen::Index i=0; i<heights.size(); ++i)
       fit.insert(monomials(i, 1) / extent, monomials(i, 2) / extent, heights[i], true_heights[i]);
     fit.update(2 * std::size_t(heights.size()));
@@ -1703,8 +1863,9 @@ auto of_patches(const SMD::Indexed_triangle_mesh& mesh, const bool is_mesh_fine,
   const double edge_length = mesh.mean_edge_length<CGAL::Sequential_tag>();
   SMD::internal::Pilot_error error = parameters.first_patches_error;
   error.is_fine = is_mesh_fine;
-  return get(Patch_blend(mesh, mesh.points(), std::vector<bool>(mesh.number_of_vertices(), true), 0.01 * edge_length,
-                         edge_length, parameters, error, parameters.last_patches_effort));
+  const SMD::internal::Noise_map noise(0.01 * edge_length);
+  return get(Patch_blend(mesh, mesh.points(), std::vector<bool>(mesh.number_of_vertices(), true), noise, edge_length,
+                         parameters, error, parameters.last_patches_effort));
 }
 
 std::vector<SMD::Indexed_triangle_mesh::Vector_3> normal_deviations(const Patch_blend& blend)
@@ -1720,6 +1881,36 @@ double mean_angle(const std::vector<SMD::Indexed_triangle_mesh::Vector_3>& a,
   for(std::size_t i=0; i<a.size(); ++i)
     sum += CGAL::approximate_angle(a[i], b[i]);
   return sum / double(a.size());
+}
+
+// a level and what it is multiplied by, at each vertex
+TEST(Patch_blend, Goes_by_the_noise_of_each_place)
+{
+  const Mesh truth = irregular_mesh(models::cad_part, 1500);
+  const SMD::Indexed_triangle_mesh mesh = indexed_mesh(truth), observed = indexed_mesh(with_noise(truth, 0.1));
+  const std::vector<bool> is_movable(mesh.number_of_vertices(), true);
+  const SMD::internal::Adaptive_parameters parameters;
+  const double edge_length = mesh.mean_edge_length<CGAL::Sequential_tag>();
+  const auto points = [&](const SMD::internal::Noise_map& noise)
+  {
+    return Patch_blend(mesh, observed.points(), is_movable, noise, edge_length, parameters, parameters.first_patches_error,
+                       parameters.last_patches_effort).points();
+  };
+  const SMD::internal::Noise_map uniform(0.1 * edge_length), strong(0.2 * edge_length);
+  SMD::internal::Noise_map halves = strong;
+  halves.ratios.assign(mesh.number_of_vertices(), 0.5f);
+  const auto expected = points(uniform);
+  const auto mean_distance = [&](const SMD::internal::Noise_map& noise)
+  {
+    const auto found = points(noise);
+    double sum = 0;
+    for(std::size_t v=0; v<found.size(); ++v)
+      sum += std::sqrt(CGAL::squared_distance(found[v], expected[v]));
+    return sum / double(found.size());
+  };
+  // but for the normals of low faces
+  EXPECT_LT(mean_distance(halves), 2e-4 * edge_length);
+  EXPECT_GT(mean_distance(strong), 2e-3 * edge_length);
 }
 
 TEST(Patch_blend, Faces_have_the_normals_that_triangles_have_where_the_surface_bends)
@@ -1767,7 +1958,9 @@ std::array<double, 2> followed_noise(const Mesh& truth, const double level)
   const SMD::Indexed_triangle_mesh pilot = indexed_mesh(denoised_by(parameters, noisy)), observed = indexed_mesh(noisy),
                                    mesh = indexed_mesh(truth);
   const double edge_length = mesh.mean_edge_length<CGAL::Sequential_tag>(), noise = level * edge_length;
-  const Patch_blend blend(pilot, observed.points(), std::vector<bool>(mesh.number_of_vertices(), true), noise,
+  const std::vector<bool> is_movable(mesh.number_of_vertices(), true);
+  const SMD::internal::Noise_map noise_map(noise);
+  const Patch_blend blend(pilot, observed.points(), is_movable, noise_map,
                           pilot.mean_edge_length<CGAL::Sequential_tag>(), parameters, parameters.first_patches_error,
                           parameters.last_patches_effort);
   std::vector<SMD::Indexed_triangle_mesh::Vector_3> normals;

@@ -80,6 +80,9 @@ TEST(Concurrency, Parallel_if_available)
 {
   const Mesh noisy = noisy_cylinder();
   EXPECT_TRUE(run_adaptive<CGAL::Parallel_if_available_tag>(noisy) == run_adaptive<CGAL::Sequential_tag>(noisy));
+  const Mesh partly_noisy = with_noise_on_one_side(irregular_mesh(generated_models::cylinder, 4500), 0.3);
+  EXPECT_TRUE(run_adaptive<CGAL::Parallel_if_available_tag>(partly_noisy)
+              == run_adaptive<CGAL::Sequential_tag>(partly_noisy));
   EXPECT_TRUE(run_iterative<CGAL::Parallel_if_available_tag>(noisy) == run_iterative<CGAL::Sequential_tag>(noisy));
   EXPECT_TRUE(run_isotropic<CGAL::Parallel_if_available_tag>(noisy) == run_isotropic<CGAL::Sequential_tag>(noisy));
   EXPECT_EQ(filtered_normals<CGAL::Parallel_if_available_tag>(noisy), filtered_normals<CGAL::Sequential_tag>(noisy));

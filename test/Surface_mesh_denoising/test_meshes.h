@@ -82,6 +82,12 @@ inline Mesh noisy_mesh(const Model_generator generate, const std::size_t number_
   return with_noise(irregular_mesh(generate, number_of_vertices), level);
 }
 
+inline Mesh with_noise_on_one_side(Mesh mesh, const double level)
+{
+  SMD::add_noise(generated_models::vertices_on_one_side(mesh), mesh, params::noise_level(level).random_seed(1));
+  return mesh;
+}
+
 // Every parameter of the fitting functions, with its default value. All calls that pass them have the same type.
 struct Anisotropic_parameters
 {

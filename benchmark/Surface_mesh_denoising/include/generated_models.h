@@ -71,6 +71,22 @@ TriangleMesh to_mesh(const Model& model)
   return mesh;
 }
 
+// the vertices where x is larger than in the mean
+template <typename TriangleMesh>
+std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices_on_one_side(const TriangleMesh& mesh)
+{
+  const auto points = get(CGAL::vertex_point, mesh);
+  double sum = 0;
+  for(const auto v : vertices(mesh))
+    sum += CGAL::to_double(get(points, v).x());
+  const double mean = sum / double(num_vertices(mesh));
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> result;
+  for(const auto v : vertices(mesh))
+    if(get(points, v).x() > mean)
+      result.push_back(v);
+  return result;
+}
+
 // the model, scaled by the square of the distance from its first point: triangles are small there, and large far away
 inline Model uneven(Model model)
 {

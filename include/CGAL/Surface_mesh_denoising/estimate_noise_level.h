@@ -35,6 +35,9 @@ namespace Surface_mesh_denoising {
 * to about 0.05 mean edge lengths, for detail. `denoise_anisotropic_fitting()` knows more of it in the end. Fewer than 50 vertices tell
 * too little, and fewer than 300 have no noise if each belongs to a face that lies in one plane with a neighbor: the level is zero.
 *
+* The noise is taken to be as strong everywhere: that of less than half of the mesh goes unnoticed, as the medians do not see it.
+* `denoise_anisotropic_fitting()` looks for places like that.
+*
 * The noise is taken to be independent from vertex to vertex. That of a scanner need not be: noise that neighboring vertices have
 * in common looks like shape, and the level comes out too low. Impulses that spare most vertices go unnoticed as well.
 *

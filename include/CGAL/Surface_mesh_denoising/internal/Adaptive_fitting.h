@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_denoising/internal/Face_unfolding.h>
 #include <CGAL/Surface_mesh_denoising/internal/Gentle_path.h>
 #include <CGAL/Surface_mesh_denoising/internal/Linear_path.h>
+#include <CGAL/Surface_mesh_denoising/internal/Noise_map.h>
 #include <CGAL/Surface_mesh_denoising/internal/Normal_evolution.h>
 #include <CGAL/Surface_mesh_denoising/internal/Patch_blend.h>
 #include <CGAL/Surface_mesh_denoising/internal/Path_estimate.h>
@@ -77,7 +78,7 @@ public:
   }
 
   template <typename Report>
-  Denoising_result run(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable, const Report& report)
+  Denoising_result run(Indexed_triangle_mesh& mesh, std::vector<bool> is_movable, const Report& report)
   {
     Denoising_result result;
     m_mean_edge_length = mesh.mean_edge_length<ConcurrencyTag>();
@@ -94,6 +95,8 @@ public:
       report(result.number_of_iterations, largest_displacement(pilot, mesh.points()), true);
       return result;
     };
+    if(m_strong_noise > 0 && !locate_noise(mesh, is_movable, neighbors, report, result))
+      return result;
     if(is_free_of_noise())
       return end();
 
@@ -142,26 +145,29 @@ public:
   }
 
 private:
-  double relative_noise() const { return m_noise / m_mean_edge_length; }
+  double relative_noise() const { return m_noise.level / m_mean_edge_length; }
   bool is_negligible(const double noise) const { return !(noise > m_parameters.negligible_noise * m_mean_edge_length); }
-  bool is_free_of_noise() const { return is_negligible(m_noise); }
+  bool is_free_of_noise() const { return is_negligible(m_noise.level); }
 
   // about how far chance takes a correlation or a ratio of two levels
   static double error_of_statistics(const std::vector<bool>& counts)
   { return 1 / std::sqrt(double(std::count(counts.begin(), counts.end(), true))); }
 
-  bool residuals_may_be_shape() const { return relative_noise() < m_parameters.shape_noise; }
+  // noise that is located has shown that it is no shape
+  bool residuals_may_be_shape() const { return m_noise.is_uniform() && relative_noise() < m_parameters.shape_noise; }
 
   void find_noise_level(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors)
   {
     if(m_noise_level >= 0)
     {
-      m_noise = in_noisy_edge_lengths(m_noise_level) * m_mean_edge_length;
+      m_noise.level = in_noisy_edge_lengths(m_noise_level) * m_mean_edge_length;
       return;
     }
     const Noise_estimate estimate = estimate_noise<ConcurrencyTag>(mesh, m_mean_edge_length, neighbors, is_movable);
     m_may_be_free_of_noise = estimate.may_be_shape;
-    m_noise = (m_may_be_free_of_noise && !m_parameters.refine_noise_level) ? 0 : estimate.level;
+    m_noise.level = (m_may_be_free_of_noise && !m_parameters.refine_noise_level) ? 0 : estimate.level;
+    if(m_parameters.locate_noise && estimate.strong_level > m_parameters.least_located_noise * m_mean_edge_length)
+      m_strong_noise = estimate.strong_level;
   }
 
   static double largest_displacement(const std::vector<Point_3>& from, const std::vector<Point_3>& to)
@@ -189,7 +195,7 @@ private:
       const double progress = double(k) / double(number_of_steps - 1);
       const std::vector<Point_3> before = mesh.points();
       if(k % m_parameters.pilot_steps_between_weights == 0)
-        evolve.update_weights(mesh);
+        evolve.update_weights(mesh, m_noise);
       evolve(mesh, is_movable, Evolution_step{ first_range * std::pow(last_range / first_range, progress), true,
                                                1, m_parameters.pilot_number_of_moves });
       ++result.number_of_iterations;
@@ -200,6 +206,66 @@ private:
       }
     }
     return true;
+  }
+
+  // Patches that take the noise to be as strong everywhere as where it seems strongest tell whether that is noise, and how strong
+  // it is in each place. Vertices that have none are not to move. Leaves the points as they are. Returns whether to go on
+  template <typename Report>
+  bool locate_noise(Indexed_triangle_mesh& mesh, std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
+                    const Report& report, Denoising_result& result)
+  {
+    const std::vector<Point_3> observed = mesh.points();
+    const double level = m_noise.level;
+    m_noise.level = m_strong_noise;
+    if(!run_pilot(mesh, is_movable, report, result))
+      return false;
+    fit_patches(mesh, observed, is_movable, neighbors, m_parameters.pilot_error, m_parameters.first_patches_effort);
+    const Local_levels local = levels_of_residuals(mesh, observed, is_movable, neighbors);
+    std::vector<Point_3> points = observed;
+    mesh.swap_points(points);
+    m_noise.level = level;
+    if(!is_noise_of_places(local))
+      return true;
+    m_noise.level = m_parameters.refined_level_factor * local.strong;
+    set_ratios(local);
+    for(std::size_t v=0; v<is_movable.size(); ++v)
+      is_movable[v] = is_movable[v] && m_noise.ratios[v] > float(m_parameters.limits_of_located_ratios[0]);
+    m_may_be_free_of_noise = false;
+    return true;
+  }
+
+  // Detail of the shape and impulses make residuals that differ from place to place, too. But those of detail are not as white as
+  // noise, and the less they are, the more they have to differ; and those of impulses have heavy tails, but never differ much
+  bool is_noise_of_places(const Local_levels& local) const
+  {
+    const Adaptive_parameters& p = m_parameters;
+    const double correlation = (std::max)(local.correlations[0], local.correlations[1]);
+    const double least_spread = p.least_located_spread
+      + p.located_spread_by_correlation * (std::max)(0., correlation - p.correlation_of_located_noise);
+    return local.strong > p.located_share_of_level * m_strong_noise
+        && local.strong > p.least_located_noise * m_mean_edge_length
+        && local.correlations[0] < p.largest_located_correlation
+        && (local.normality > p.located_normality || local.strong > p.spread_beyond_impulses * local.weak)
+        && local.strong > least_spread * local.weak;
+  }
+
+  // of what the patches leave, with what they follow
+  Local_levels levels_of_residuals(const Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed,
+                                   const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors) const
+  {
+    std::vector<Vector_3> normals;
+    compute_vertex_normals<ConcurrencyTag>(mesh, normals);
+    std::vector<double> residuals = compute_residuals(mesh, observed, normals);
+    add_what_patches_follow(residuals);
+    return local_levels<ConcurrencyTag>(neighbors, is_movable, std::move(residuals), 1, deviation_of_differences());
+  }
+
+  void set_ratios(const Local_levels& local)
+  {
+    const std::array<double, 2>& limits = m_parameters.limits_of_located_ratios;
+    m_noise.ratios.resize(local.levels.size());
+    for_each_index<ConcurrencyTag>(m_noise.ratios.size(), [&](const std::size_t v)
+    { m_noise.ratios[v] = float((std::min)((std::max)(local.levels[v] / local.strong, limits[0]), limits[1])); });
   }
 
   void move_to_agree(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable, const std::size_t number_of_moves,
@@ -231,7 +297,7 @@ private:
   void unfold_faces(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed, const std::vector<bool>& is_movable,
                     const Vertex_neighbors& neighbors, const Unfolding_limits& limits) const
   {
-    Face_unfolding<ConcurrencyTag>(mesh, observed, is_movable, neighbors, m_noise, m_noise_turns_faces, limits,
+    Face_unfolding<ConcurrencyTag>(mesh, observed, is_movable, neighbors, m_noise.level, m_noise_turns_faces, limits,
                                    m_parameters).run();
   }
 
@@ -269,7 +335,7 @@ private:
                      const Vertex_neighbors& neighbors, std::vector<Point_3>& observed, std::vector<Point_3>& original)
   {
     if(round == 0)
-      m_first_noise = m_noise;
+      m_first_noise = m_noise.level;
     const bool were_of_shape = m_residuals_are_shape;
     if(round >= m_parameters.correction_number_of_rounds && !were_of_shape)
       return false;
@@ -277,21 +343,40 @@ private:
 
     std::vector<Vector_3> normals;
     compute_vertex_normals<ConcurrencyTag>(mesh, normals);
-    std::vector<double> residuals(observed.size());
-    for_each_index<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
-    { residuals[v] = (observed[v] - mesh.point(v)) * normals[v]; });
-
-    if(round == 0 && ((m_may_be_free_of_noise && !are_of_noise_after_all(is_movable, neighbors, residuals))
-                      || (m_parameters.refine_noise_level && are_of_triangulation(mesh, is_movable, residuals))))
+    std::vector<double> residuals = compute_residuals(mesh, observed, normals);
+    // from here on as if noise were as strong everywhere
+    for_each_index<ConcurrencyTag>(residuals.size(), [&](const std::size_t v) { residuals[v] /= m_noise.ratio(v); });
+    const std::vector<bool> counts = places_with_noise(is_movable);
+    if(round == 0 && ((m_may_be_free_of_noise && !are_of_noise_after_all(counts, neighbors, residuals))
+                      || (m_parameters.refine_noise_level && are_of_triangulation(mesh, counts, residuals))))
     {
-      m_noise = 0;
+      m_noise.level = 0;
       return true;
     }
     if(m_parameters.remove_impulses
-       && remove_impulses(is_movable, neighbors, normals, residuals, were_of_shape, observed, original))
+       && remove_impulses(counts, neighbors, normals, residuals, were_of_shape, observed, original))
       return true;
     return m_parameters.refine_noise_level && !m_has_impulses
-           && refine_noise_level(round, is_movable, neighbors, std::move(residuals));
+           && refine_noise_level(round, counts, neighbors, std::move(residuals));
+  }
+
+  // the vertices that tell of the noise: none where there is hardly any
+  std::vector<bool> places_with_noise(const std::vector<bool>& is_movable) const
+  {
+    std::vector<bool> result = is_movable;
+    for(std::size_t v=0; v<result.size(); ++v)
+      result[v] = result[v] && m_noise.ratio(v) > m_parameters.least_located_ratio;
+    return result;
+  }
+
+  // how far observed points are above the surface
+  static std::vector<double> compute_residuals(const Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed,
+                                               const std::vector<Vector_3>& normals)
+  {
+    std::vector<double> residuals(observed.size());
+    for_each_index<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
+    { residuals[v] = (observed[v] - mesh.point(v)) * normals[v]; });
+    return residuals;
   }
 
   static double root_mean_square(const std::vector<bool>& is_movable, const std::vector<double>& residuals, const double limit)
@@ -324,10 +409,12 @@ private:
                        std::vector<double> residuals) const
   {
     subtract_mean_of_neighbors<ConcurrencyTag>(neighbors, residuals);
-    const double variance_of_differences = 1 + 1. / 6; // with six neighbors, as there are in the mean
     return m_parameters.refined_level_factor * median_of_absolutes(residuals, is_movable)
-         / (median_of_normal_distribution * std::sqrt(variance_of_differences));
+         / (median_of_normal_distribution * deviation_of_differences());
   }
+
+  // that of white noise with the deviation one, less the mean of six neighbors, as there are in the mean
+  static double deviation_of_differences() { return std::sqrt(1 + 1. / 6); }
 
   // Edges on coarse triangles hide weak noise from quadrics of two rings, which take all for shape, but not from patches: they
   // fit the edges, and what they leave is less than it seemed, and nowhere shape. Detail they leave, too, or they follow it
@@ -336,7 +423,7 @@ private:
   {
     add_what_patches_follow(residuals);
     const double level = refined_level(is_movable, neighbors, residuals);
-    if(is_negligible(level) || !(level < m_parameters.level_of_hidden_noise * m_noise)
+    if(is_negligible(level) || !(level < m_parameters.level_of_hidden_noise * m_noise.level)
        || median_of_absolutes(m_leverages, is_movable) > m_parameters.leverage_of_hidden_noise)
       return false;
     const Quiet_places quiet = quiet_places<ConcurrencyTag>(neighbors, residuals, is_movable);
@@ -380,14 +467,14 @@ private:
     if(m_residuals_are_shape)
     {
       const std::array<double, 2>& limits = m_parameters.refined_level_of_shape;
-      m_noise = (std::min)((std::max)(level, limits[0] * m_noise), limits[1] * m_noise);
-      if(m_noise < m_parameters.least_share_of_first_level * m_first_noise)
-        m_noise = 0;
+      m_noise.level = (std::min)((std::max)(level, limits[0] * m_noise.level), limits[1] * m_noise.level);
+      if(m_noise.level < m_parameters.least_share_of_first_level * m_first_noise)
+        m_noise.level = 0;
       return true;
     }
-    if(round >= m_parameters.correction_number_of_rounds || !(level < m_parameters.refined_level_limit * m_noise))
+    if(round >= m_parameters.correction_number_of_rounds || !(level < m_parameters.refined_level_limit * m_noise.level))
       return false;
-    m_noise = (std::max)(level, m_parameters.least_refined_level * m_noise);
+    m_noise.level = (std::max)(level, m_parameters.least_refined_level * m_noise.level);
     return true;
   }
 
@@ -416,15 +503,15 @@ private:
                  || share_of_impulses<ConcurrencyTag>(neighbors, residuals, is_movable) < least_share)))
         return false;
       m_has_impulses = true;
-      m_noise = (std::min)(ratio * m_noise, m_parameters.maximal_correction
-                                            * size_of_residuals((std::numeric_limits<double>::max)()));
+      m_noise.level = (std::min)(ratio * m_noise.level,
+                                 m_parameters.maximal_correction * size_of_residuals((std::numeric_limits<double>::max)()));
     }
     else
     {
       const double noise = m_parameters.maximal_correction * size_of_residuals(limit);
-      if(!(noise < m_noise))
+      if(!(noise < m_noise.level))
         return false;
-      m_noise = noise;
+      m_noise.level = noise;
     }
 
     if(original.empty())
@@ -433,7 +520,7 @@ private:
     {
       const double r = residuals[v];
       if(is_movable[v] && std::abs(r) > limit)
-        observed[v] = observed[v] + (std::copysign(limit, r) - r) * normals[v];
+        observed[v] = observed[v] + ((std::copysign(limit, r) - r) * m_noise.ratio(v)) * normals[v];
     });
     return true;
   }
@@ -446,7 +533,7 @@ private:
     for_each_index<ConcurrencyTag>(disturbances.size(), [&](const std::size_t v)
     {
       const double length = std::sqrt(squared_distance(mesh.point(v), observed[v])) / m_mean_edge_length;
-      disturbances[v] = is_movable[v] ? std::sqrt(2.) * m_noise * sine_key(length) : 0;
+      disturbances[v] = is_movable[v] ? std::sqrt(2.) * m_noise.at(v) * sine_key(length) : 0;
     });
     return disturbances;
   }
@@ -508,7 +595,7 @@ private:
                                                          m_parameters);
                     }, m_parameters.linear_global_band_ends, m_parameters.linear_local_band_ends, preference);
     if(m_parameters.use_quadric_path && !m_has_impulses
-       && m_noise < m_parameters.quadric_largest_noise * mean_height_of_all_faces(mesh))
+       && m_noise.level < m_parameters.quadric_largest_noise * mean_height_of_all_faces(mesh))
       mix_with_path([&]()
                     {
                       return Quadric_path<ConcurrencyTag>(mesh, observed, is_movable, neighbors, normals, disturbances,
@@ -521,7 +608,7 @@ private:
   // The lower the triangles around a vertex are, the further its error turns them. The mean is about one
   std::vector<float> importance_of_vertices(const Indexed_triangle_mesh& mesh) const
   {
-    const double least_height = m_parameters.least_height_of_importance * m_noise;
+    const double least_height = m_parameters.least_height_of_importance * m_noise.level;
     std::vector<float> importance(mesh.number_of_vertices());
     for_each_index<ConcurrencyTag>(importance.size(), [&](const std::size_t v)
     {
@@ -575,15 +662,15 @@ private:
       }
       const double difference = (estimate.points[v] - mesh.point(v)) * normals[v];
       const double noise_share = estimate.noise_shares[v] - m_noise_shares[v]
-                               + preference.advantage * patch_share(mesh, v) * m_noise * m_noise;
+                               + preference.advantage * patch_share(mesh, v) * m_noise.at(v) * m_noise.at(v);
       moments[v].products[0] = float((observed[v] - mesh.point(v)) * normals[v] * difference - noise_share);
       moments[v].squares[0] = float(difference * difference);
     });
     const std::vector<float> importance = importance_of_vertices(mesh);
     std::vector<std::array<float, 1> > weights
-      = local_weights<ConcurrencyTag>(neighbors, m_parameters, m_noise * m_noise,
+      = local_weights<ConcurrencyTag>(neighbors, m_parameters, m_noise.level * m_noise.level,
                                       Mixing_penalties{ preference.mesh_penalty, m_parameters.mixing_penalty },
-                                      [&](const std::size_t v) { return importance[v]; }, moments);
+                                      [&](const std::size_t v) { return importance[v] / m_noise.squared_ratio(v); }, moments);
 
     std::vector<Point_3> points(n);
     for_each_index<ConcurrencyTag>(n, [&](const std::size_t v)
@@ -600,7 +687,7 @@ private:
     std::vector<Vector_3> mixed_normals;
     std::vector<double> areas;
     compute_face_normals<ConcurrencyTag>(mesh, mixed_normals, areas);
-    steady_normals_of_low_faces<ConcurrencyTag>(mesh, areas, m_parameters.low_face_error * m_noise,
+    steady_normals_of_low_faces<ConcurrencyTag>(mesh, areas, m_parameters.low_face_error * m_noise.level,
                                                 m_parameters.number_of_normal_averages, mixed_normals);
     replace_turned_normals<ConcurrencyTag>(mesh, areas, m_parameters.agreement, mixed_normals);
     for_each_index<ConcurrencyTag>(mesh.number_of_faces(), [&](const std::size_t f)
@@ -617,7 +704,8 @@ private:
   double m_noise_level;
 
   double m_mean_edge_length;
-  double m_noise; // in the unit of the coordinates
+  Noise_map m_noise;
+  double m_strong_noise = 0; // where noise may be stronger than thought, or zero
   std::vector<Vector_3> m_face_normals;
   std::vector<Vector_3> m_normal_deviations; // of the faces of the patches, see Patch_blend.h
   std::vector<double> m_leverages;    // of the patches

@@ -54,6 +54,7 @@ struct Adaptive_parameters
   bool remove_tangential_noise = true;
   bool remove_impulses = true;
   bool refine_noise_level = true;
+  bool locate_noise = true;
   bool reassign_faces = true;
   bool unfold_faces = true;
   bool preserve_volume = true;
@@ -83,6 +84,19 @@ struct Adaptive_parameters
   double largest_tail = 10;                     // standard deviations, as the median tells them: beyond, residuals are cut,
   double largest_residual = 4;                  // and the observed points here
   double maximal_correction = 1.5;              // and in later rounds for just so many times that of what remains
+
+  // Noise is stronger in some places than in others if what patches leave where it is strongest, see noise_level.h,
+  double located_share_of_level = 0.6;          // is no less than so many times what was thought,
+  double least_located_noise = 0.06;            // no weaker than this,
+  double largest_located_correlation = -0.19;   // white: neighbors have no more in common than this;
+  double located_normality = 0.85;              // nearly normally distributed, or
+  double spread_beyond_impulses = 10;           // more than so many times what they leave where it is weakest;
+  double least_located_spread = 1.6;            // and at least so many times that,
+  double located_spread_by_correlation = 33;    // and the more times the further the correlation of neighbors is
+  double correlation_of_located_noise = -0.22;  // above that of noise.
+  // Noise that is no more than so many times the strongest is none, and no place has more than so many times that;
+  std::array<double, 2> limits_of_located_ratios = {{ 0.02, 1.5 }};
+  double least_located_ratio = 0.1;             // from weaker noise than this its level is not refined
 
   // The refined noise level. One that is a little too high costs less than one that is too low.
   double refined_level_factor = 1.1;            // times what the residuals tell,

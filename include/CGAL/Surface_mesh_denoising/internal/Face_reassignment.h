@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_denoising/Indexed_triangle_mesh.h>
 #include <CGAL/Surface_mesh_denoising/internal/Adaptive_parameters.h>
+#include <CGAL/Surface_mesh_denoising/internal/Noise_map.h>
 #include <CGAL/Surface_mesh_denoising/internal/Vertex_neighbors.h>
 #include <CGAL/Surface_mesh_denoising/internal/normals.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
@@ -45,9 +46,9 @@ class Face_reassignment
 
 public:
   // The planes are those through the centroids of the faces with these normals. Faces whose share, what they have of patches,
-  // is less than a half keep theirs. `noise` is in the unit of the coordinates, `tangential_weight` is t above. Keeps references
+  // is less than a half keep theirs. `tangential_weight` is t above. Keeps references
   Face_reassignment(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed,
-                    const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors, const double noise,
+                    const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors, const Noise_map& noise,
                     const double tangential_weight, const std::vector<float>& shares,
                     const Adaptive_parameters& parameters, std::vector<Vector_3>& normals)
     : m_mesh(mesh), m_observed(observed), m_is_movable(is_movable), m_neighbors(neighbors), m_noise(noise),
@@ -169,7 +170,7 @@ private:
   bool is_as_large_as_noise(const std::size_t f) const
   {
     return mean_height_of_faces(m_mesh, m_mesh.faces_around_face(f), [&](const Index g) { return m_mesh.area(g); })
-         > m_parameters.reassignment_least_height * m_noise;
+         > m_parameters.reassignment_least_height * m_noise.level * m_noise.ratio_of_face(m_mesh, f);
   }
 
   void find_faces_at_edges(std::vector<Index>& faces) const
@@ -208,7 +209,7 @@ private:
   {
     Energy energy;
     // an observed point that is further away than noise explains, as one with an impulse, tells little
-    const double reach = m_parameters.reassignment_reach * m_noise;
+    const double reach = m_parameters.reassignment_reach * m_noise.at(v);
     const double squared_residual = squared_distance(m_observed[v], m_mesh.point(v));
     const double weight = (squared_residual > reach * reach) ? reach * reach / squared_residual : 1;
     energy.across = m_tangential_weight * weight;
@@ -227,7 +228,7 @@ private:
       squared_length /= double(m_neighbors(v).size());
       if(squared_length > 0)
         for(const Index w : m_neighbors(v))
-          energy.add_point(m_parameters.reassignment_evenness * m_noise * m_noise / squared_length,
+          energy.add_point(m_parameters.reassignment_evenness * m_noise.at(v) * m_noise.at(v) / squared_length,
                            m_points[w] - m_points[v]);
     }
     energy.least = least_energy(energy, v);
@@ -293,7 +294,7 @@ private:
   // the best of those that begin at face `f`; its gain is zero if there is none. `faces` and `vertices` are for use inside
   Change best_change(const Index f, std::vector<Index>& faces, std::vector<Index>& vertices) const
   {
-    const double least_gain = 1e-6 * m_noise * m_noise; // less may be rounding
+    const double least_gain = 1e-6 * m_noise.level * m_noise.level; // less may be rounding
     Change best = { f, 0, {{ false, false }}, 0 };
     if(!is_as_large_as_noise(f))
       return best;
@@ -363,7 +364,8 @@ private:
   const std::vector<Point_3>& m_observed;
   const std::vector<bool>& m_is_movable;
   const Vertex_neighbors& m_neighbors;
-  double m_noise, m_tangential_weight;
+  const Noise_map& m_noise;
+  double m_tangential_weight;
   const std::vector<float>& m_shares;
   const Adaptive_parameters& m_parameters;
 

@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_denoising/Indexed_triangle_mesh.h>
 #include <CGAL/Surface_mesh_denoising/internal/Adaptive_parameters.h>
+#include <CGAL/Surface_mesh_denoising/internal/Noise_map.h>
 #include <CGAL/Surface_mesh_denoising/internal/Normal_evolution.h>
 #include <CGAL/Surface_mesh_denoising/internal/Vertex_neighbors.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
@@ -39,16 +40,16 @@ class Gentle_path
   typedef Indexed_triangle_mesh::Vector_3   Vector_3;
 
 public:
-  // `noise` is in the unit of the coordinates, `disturbances` are lengths along `normals` of about that,
+  // `disturbances` are lengths along `normals` of about the noise,
   // `normal_deviations` those of the patches (see Patch_blend.h). Keeps references, and uses `mesh`, which is as before when
   // the path is destroyed
   Gentle_path(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed, const std::vector<bool>& is_movable,
               const Vertex_neighbors& neighbors, const std::vector<Vector_3>& normals,
-              const std::vector<double>& disturbances, const std::vector<Vector_3>& normal_deviations, const double noise,
+              const std::vector<double>& disturbances, const std::vector<Vector_3>& normal_deviations, const Noise_map& noise,
               const double mean_edge_length, const Adaptive_parameters& parameters)
     : m_mesh(mesh), m_observed(observed), m_is_movable(is_movable), m_neighbors(neighbors), m_normals(normals),
       m_disturbances(disturbances), m_normal_deviations(normal_deviations), m_noise(noise),
-      m_relative_noise(noise / mean_edge_length), m_parameters(parameters), m_points_before(observed),
+      m_relative_noise(noise.level / mean_edge_length), m_parameters(parameters), m_points_before(observed),
       m_disturbed(observed.size())
   {
     for_each_index<ConcurrencyTag>(observed.size(), [&](const std::size_t v)
@@ -106,7 +107,7 @@ private:
     for(std::size_t k=0; m_step<end; ++k, ++m_step)
     {
       if(k % m_parameters.gentle_steps_between_weights == 0)
-        m_evolve.update_weights(m_mesh);
+        m_evolve.update_weights(m_mesh, m_noise);
       m_evolve(m_mesh, m_disturbed, m_is_movable, m_normal_deviations, step());
     }
   }
@@ -142,9 +143,11 @@ private:
   // the noise, stays, and moves along its normal and across it count each for itself.
   void relax()
   {
-    const auto factor_of_range = [&](const double range) { return 0.5 / (range * range * m_noise * m_noise); };
-    const double factor_along = factor_of_range(m_parameters.relaxation_range_along_normals);
-    const double factor_across = factor_of_range(m_parameters.relaxation_range_across_normals);
+    const auto weight = [&](const double range, const std::size_t v, const Vector_3& way)
+    {
+      const double noise = m_noise.at(v);
+      return bell(0.5 / (range * range * noise * noise) * way.squared_length());
+    };
     std::vector<Point_3> points(m_mesh.number_of_vertices());
     for(std::size_t k=0; k<m_parameters.number_of_relaxations; ++k)
       for(const double share : m_parameters.lambda_mu)
@@ -156,8 +159,9 @@ private:
             return;
           const Vector_3 whole = to_center(m_mesh, m_neighbors, v);
           const Vector_3 along = (whole * m_normals[v]) * m_normals[v], across = whole - along;
-          points[v] = points[v] + (share * bell(factor_along * along.squared_length())) * along
-                                + (share * bell(factor_across * across.squared_length())) * across;
+          points[v] = points[v]
+                    + (share * weight(m_parameters.relaxation_range_along_normals, v, along)) * along
+                    + (share * weight(m_parameters.relaxation_range_across_normals, v, across)) * across;
         });
         m_mesh.swap_points(points);
       }
@@ -170,7 +174,8 @@ private:
   const std::vector<Vector_3>& m_normals;
   const std::vector<double>& m_disturbances;
   const std::vector<Vector_3>& m_normal_deviations;
-  double m_noise, m_relative_noise;
+  const Noise_map& m_noise;
+  double m_relative_noise;
   const Adaptive_parameters& m_parameters;
 
   std::vector<Point_3> m_points_before, m_disturbed;

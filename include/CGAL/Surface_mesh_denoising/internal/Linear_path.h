@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_denoising/Indexed_triangle_mesh.h>
 #include <CGAL/Surface_mesh_denoising/internal/Adaptive_parameters.h>
+#include <CGAL/Surface_mesh_denoising/internal/Noise_map.h>
 #include <CGAL/Surface_mesh_denoising/internal/Vertex_neighbors.h>
 #include <CGAL/Surface_mesh_denoising/internal/mixing.h>
 #include <CGAL/Surface_mesh_denoising/internal/normals.h>
@@ -45,10 +46,9 @@ class Linear_path
   typedef Indexed_triangle_mesh::Vector_3   Vector_3;
 
 public:
-  // `noise` is in the unit of the coordinates. Keeps references; of `mesh` only the faces count, and its points are as before
-  // after each call
+  // Keeps references; of `mesh` only the faces count, and its points are as before after each call
   Linear_path(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed, const std::vector<bool>& is_movable,
-              const Vertex_neighbors& neighbors, const std::vector<double>& disturbances, const double noise,
+              const Vertex_neighbors& neighbors, const std::vector<double>& disturbances, const Noise_map& noise,
               const Adaptive_parameters& parameters)
     : m_mesh(mesh), m_observed(observed), m_is_movable(is_movable), m_neighbors(neighbors),
       m_disturbances(disturbances), m_noise(noise), m_parameters(parameters), m_states(observed.size())
@@ -137,7 +137,7 @@ private:
     for_each_index<ConcurrencyTag>(m_states.size(), [&](const std::size_t v)
     {
       const double height = mean_height_of_faces(m_mesh, m_mesh.faces_around_vertex(v), [&](const Index f) { return areas[f]; });
-      const double certainty = ramp(m_noise, m_parameters.least_laplacian_noise * height,
+      const double certainty = ramp(m_noise.at(v), m_parameters.least_laplacian_noise * height,
                                     m_parameters.sure_laplacian_noise * height);
       m_least_weights[v] = float(1 - smooth_step(certainty));
     });
@@ -148,7 +148,7 @@ private:
   const std::vector<bool>& m_is_movable;
   const Vertex_neighbors& m_neighbors;
   const std::vector<double>& m_disturbances;
-  double m_noise;
+  const Noise_map& m_noise;
   const Adaptive_parameters& m_parameters;
 
   std::vector<State> m_states;

@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_denoising/Indexed_triangle_mesh.h>
 #include <CGAL/Surface_mesh_denoising/internal/Face_geometry.h>
+#include <CGAL/Surface_mesh_denoising/internal/Noise_map.h>
 #include <CGAL/Surface_mesh_denoising/internal/Vector_pair.h>
 #include <CGAL/Surface_mesh_denoising/internal/normals.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
@@ -40,7 +41,7 @@ inline Number_pair bell(const Number_pair& x) { return to_the_64th(Number_pair((
 
 struct Evolution_step
 {
-  double range;                    // sigma of differences of normals
+  double range;                    // sigma of differences of normals, where noise is strong
   bool counts_own_normal;          // whether the face itself is part of its mean
   std::size_t number_of_normal_iterations;
   std::size_t number_of_moves;
@@ -60,8 +61,8 @@ public:
   // the filtered normals of the last step
   const std::vector<Vector_3>& face_normals() const { return m_normals; }
 
-  // makes the areas and distances in `mesh` the weights of the steps to come
-  void update_weights(const Indexed_triangle_mesh& mesh)
+  // makes the areas and distances in `mesh` the weights of the steps to come, whose ranges go with the noise
+  void update_weights(const Indexed_triangle_mesh& mesh, const Noise_map& noise)
   {
     const std::size_t n = mesh.number_of_faces();
     if(n == 0)
@@ -82,6 +83,13 @@ public:
         *weight++ = float(geometry.area(g)
                           * bell(factor * squared_distance(geometry.centroid(f), geometry.centroid(g))));
       m_own_weights[f] = float(geometry.area(f));
+    });
+
+    m_range_factors.resize(noise.is_uniform() ? 0 : n);
+    for_each_index<ConcurrencyTag>(m_range_factors.size(), [&](const std::size_t f)
+    {
+      const double ratio = noise.ratio_of_face(mesh, f);
+      m_range_factors[f] = float(1 / (ratio * ratio));
     });
   }
 
@@ -201,11 +209,12 @@ private:
         const auto faces = mesh.faces_around_face(f);
         const float* weight = m_weights.data() + (faces.begin() - first_entry);
         const Vector normal = normals[f];
+        const double factor = m_range_factors.empty() ? range_factor : range_factor * double(m_range_factors[f]);
         Vector sum = (step.counts_own_normal ? double(m_own_weights[f]) : 0.) * normal;
         for(const Index g : faces)
         {
           const Vector& other = normals[g];
-          sum += (double(*weight++) * bell(range_factor * (normal - other).squared_length())) * other;
+          sum += (double(*weight++) * bell(factor * (normal - other).squared_length())) * other;
         }
         filtered[f] = normalized_or(sum, normal);
       });
@@ -214,6 +223,7 @@ private:
   }
 
   std::vector<float> m_weights, m_own_weights;
+  std::vector<float> m_range_factors; // for each face, on one over the square of the range; none where noise is uniform
   std::vector<Vector_3> m_normals;
   std::vector<double> m_areas;
   std::vector<Vector_pair> m_pairs_of_normals, m_pairs_of_positions;

@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_denoising/internal/Face_geometry.h>
 #include <CGAL/Surface_mesh_denoising/internal/Local_numbering.h>
 #include <CGAL/Surface_mesh_denoising/internal/Neighborhood_search.h>
+#include <CGAL/Surface_mesh_denoising/internal/Noise_map.h>
 #include <CGAL/Surface_mesh_denoising/internal/Patch_fit.h>
 #include <CGAL/Surface_mesh_denoising/internal/Vertex_neighbors.h>
 #include <CGAL/Surface_mesh_denoising/internal/mixing.h>
@@ -51,15 +52,15 @@ class Patch_blend
   typedef Indexed_triangle_mesh::Vector_3   Vector_3;
 
 public:
-  // `mesh` holds the pilot's points, `noise` is in the unit of the coordinates. Keeps references
+  // `mesh` holds the pilot's points. Keeps references
   Patch_blend(const Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed,
-              const std::vector<bool>& is_movable, const double noise, const double mean_edge_length,
+              const std::vector<bool>& is_movable, const Noise_map& noise, const double mean_edge_length,
               const Adaptive_parameters& parameters, const Pilot_error& pilot_error, const Patch_effort& effort)
     : m_mesh(mesh), m_observed(observed), m_is_movable(is_movable), m_parameters(parameters),
       m_pilot_error(pilot_error), m_effort(effort),
       m_geometry(mesh, ConcurrencyTag()), m_mean_edge_length(mean_edge_length),
       m_extent(parameters.patch_extent * m_geometry.mean_centroid_distance()),
-      m_squared_noise((std::max)(noise * noise, 1e-16 * mean_edge_length * mean_edge_length)),
+      m_noise(noise), m_squared_noise((std::max)(noise.level * noise.level, 1e-16 * mean_edge_length * mean_edge_length)),
       m_is_in_core(mesh.number_of_faces(), false), m_normal_sums(mesh.number_of_faces(), Vector_3(0, 0, 0)),
       m_centroid_normal_sums(mesh.number_of_faces(), Vector_3(0, 0, 0)),
       m_vertex_sums(mesh.number_of_vertices())
@@ -70,8 +71,8 @@ public:
       return;
     // strong noise makes low faces itself, everywhere
     const std::array<double, 2>& limits = parameters.low_face_noise;
-    const double share = 1 - ramp(noise, limits[0] * mean_edge_length, limits[1] * mean_edge_length);
-    steady_normals_of_low_faces<ConcurrencyTag>(mesh, areas, share * parameters.low_face_error * noise,
+    const double share = 1 - ramp(noise.level, limits[0] * mean_edge_length, limits[1] * mean_edge_length);
+    steady_normals_of_low_faces<ConcurrencyTag>(mesh, areas, share * parameters.low_face_error * noise.level,
                                                 parameters.number_of_normal_averages, m_normals);
     replace_turned_normals<ConcurrencyTag>(mesh, areas, parameters.agreement, m_normals);
 
@@ -138,7 +139,7 @@ public:
       const double height = mean_height_of_faces(m_mesh, m_mesh.faces_around_vertex(v),
                                                  [&](const Index f) { return m_geometry.area(f); });
       const std::array<double, 2>& limits = m_parameters.noise_to_keep_to_pilot;
-      const double share_of_pilot = ramp(std::sqrt(m_squared_noise), limits[0] * height, limits[1] * height);
+      const double share_of_pilot = ramp(std::sqrt(squared_noise(v)), limits[0] * height, limits[1] * height);
       const Point_3 start = m_observed[v] + share_of_pilot * (points[v] - m_observed[v]);
       const Eigen::Vector3d residual = to_eigen(s.rhs) / s.weight - matrix * to_eigen(start - m_observed[v]);
       const Eigen::Vector3d d = damped.inverse() * (matrix * residual);
@@ -157,21 +158,22 @@ public:
   std::vector<double> noise_shares(const Vertex_neighbors& neighbors) const
   {
     std::vector<double> shares = means(&Vertex_sum::inverse_size);
-    const double noise = std::sqrt(m_squared_noise);
     const std::array<double, 2>& limits = m_parameters.noise_to_choose_faces;
     for_each_index<ConcurrencyTag>(shares.size(), [&](const std::size_t v)
     {
       const double choice = (std::min)(1., m_parameters.points_of_full_choice * shares[v]);
       const double length = neighbors(v).empty() ? 0 : mean_length_of_edges(m_mesh, neighbors, v);
       shares[v] = ((3 + m_parameters.coefficients_by_choice * choice) * shares[v]
-                   + m_parameters.noise_share_by_faces * ramp(noise, limits[0] * length, limits[1] * length))
-                * m_squared_noise;
+                   + m_parameters.noise_share_by_faces * ramp(std::sqrt(squared_noise(v)), limits[0] * length, limits[1] * length))
+                * squared_noise(v);
     });
     return shares;
   }
 
 private:
   typedef Neighborhood_search<Indexed_dual_graph> Search;
+
+  double squared_noise(const std::size_t v) const { return m_noise.squared_ratio(v) * m_squared_noise; }
 
   // what a patch says of a face and of a vertex
   struct Face_term
@@ -213,7 +215,7 @@ private:
     const double factor = m_parameters.deviation_by_noise;
     const double by_noise = factor * factor * m_squared_noise
                           * sum<ConcurrencyTag>(leverages.size(), [&](const std::size_t v)
-                            { return leverages[v] * leverages[v] * leverages[v]; });
+                            { return m_noise.squared_ratio(v) * leverages[v] * leverages[v] * leverages[v]; });
     return (squares > by_noise) ? 1 - by_noise / squares : 0;
   }
 
@@ -262,7 +264,7 @@ private:
   public:
     Worker(const Patch_blend& blend, const Indexed_dual_graph& dual)
       : m_blend(blend), m_search(dual),
-        m_fit(blend.m_parameters, blend.m_pilot_error, blend.m_effort, blend.m_squared_noise, blend.m_extent)
+        m_fit(blend.m_parameters, blend.m_pilot_error, blend.m_effort, blend.m_extent)
     {}
 
     void operator()(const Index seed, Patch& patch)
@@ -272,6 +274,8 @@ private:
       const Vector_3& axis = m_blend.m_normals[seed];
       if(is_null(axis))
         return;
+      const double ratio = m_blend.m_noise.ratio_of_face(m_blend.m_mesh, seed);
+      m_squared_noise = ratio * ratio * m_blend.m_squared_noise;
       m_frame = Patch_frame(m_blend.m_geometry.centroid(seed), axis, m_blend.m_extent);
       const auto& faces = grow(seed);
       if(m_fit.best().number_of_faces != 0)
@@ -284,7 +288,7 @@ private:
     {
       const Adaptive_parameters& parameters = m_blend.m_parameters;
       const Indexed_triangle_mesh& mesh = m_blend.m_mesh;
-      m_fit.clear();
+      m_fit.clear(m_squared_noise);
       m_points.clear();
       m_numbering.clear();
 
@@ -319,16 +323,15 @@ private:
     void list_terms(const std::vector<typename Search::Neighbor>& faces, Patch& patch)
     {
       const Patch_surface& surface = m_fit.best();
-      const double squared_noise = m_blend.m_squared_noise;
       const double squared_edge_length = m_blend.m_mean_edge_length * m_blend.m_mean_edge_length;
 
       // Weights are those of the inverse squared error, and fall towards the rim. Where the surface leaves the fit by a
       // bias, the slopes do so by that over a length of about half the radius.
       const double slope_bias = 4 * surface.squared_bias
                               / (0.2 * double(surface.number_of_faces) * squared_edge_length)
-                              + 2e-6 * squared_noise / squared_edge_length;
-      const double slope_unit = squared_noise / (m_blend.m_extent * m_blend.m_extent);
-      const double height_bias = surface.squared_bias + 1e-3 * squared_noise;
+                              + 2e-6 * m_squared_noise / squared_edge_length;
+      const double slope_unit = m_squared_noise / (m_blend.m_extent * m_blend.m_extent);
+      const double height_bias = surface.squared_bias + 1e-3 * m_squared_noise;
       const auto taper = [](const std::size_t k, const std::size_t n) { return 1.02 - double(k) / double(n); };
 
       const auto slope_at = [&](const double u, const double v)
@@ -346,7 +349,7 @@ private:
         const Vector_3 n = is_plane ? slope_of_plane.normal : surface.normal(m_frame, q.u, q.v);
         const double cosine = 1 / std::sqrt(n.squared_length());
         const double leverage = surface.variance_of_height(q.u, q.v);
-        const double weight = taper(q.rank, surface.number_of_points) / (squared_noise * leverage + height_bias);
+        const double weight = taper(q.rank, surface.number_of_points) / (m_squared_noise * leverage + height_bias);
         patch.vertices.push_back(Vertex_term{ q.vertex, weight, leverage, cosine * n,
                                               cosine * (surface.height(q.u, q.v) - q.height) });
         const Vertex_term& t = patch.vertices.back();
@@ -396,6 +399,7 @@ private:
     const Patch_blend& m_blend;
     Search m_search;
     Patch_fit m_fit;
+    double m_squared_noise = 0; // at the seed
     Patch_frame m_frame;
     Local_numbering<Index> m_numbering;
     std::vector<Patch_point> m_points;
@@ -496,7 +500,8 @@ private:
   Face_geometry m_geometry;
   double m_mean_edge_length;
   double m_extent;
-  double m_squared_noise;
+  const Noise_map& m_noise;
+  double m_squared_noise; // where it is strong
 
   std::vector<Vector_3> m_normals;
   std::vector<double> m_keys;

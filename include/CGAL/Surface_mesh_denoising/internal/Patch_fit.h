@@ -172,14 +172,16 @@ class Patch_fit
 
 public:
   Patch_fit(const Adaptive_parameters& parameters, const Pilot_error& pilot_error, const Patch_effort& effort,
-            const double squared_noise, const double extent)
+            const double extent)
     : m_parameters(parameters), m_pilot_error(pilot_error), m_hopeless_risk(effort.hopeless_risk),
-      m_has_cubics(pilot_error.is_fine && parameters.use_adaptive_degree), m_squared_noise(squared_noise),
+      m_has_cubics(pilot_error.is_fine && parameters.use_adaptive_degree),
       m_squared_extent(extent * extent)
   {}
 
-  void clear()
+  // starts anew, where noise has this variance
+  void clear(const double squared_noise)
   {
+    m_squared_noise = squared_noise;
     m_moments.setZero();
     m_rhs.setZero();
     m_pilot_rhs.setZero();

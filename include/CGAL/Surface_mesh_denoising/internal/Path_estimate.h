@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_denoising/Indexed_triangle_mesh.h>
 #include <CGAL/Surface_mesh_denoising/internal/Adaptive_parameters.h>
+#include <CGAL/Surface_mesh_denoising/internal/Noise_map.h>
 #include <CGAL/Surface_mesh_denoising/internal/Vertex_neighbors.h>
 #include <CGAL/Surface_mesh_denoising/internal/mixing.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
@@ -34,7 +35,7 @@ namespace internal {
 template <typename ConcurrencyTag, typename Path, std::size_t M, std::size_t N>
 Estimate estimate_along(Path& path, const std::vector<Indexed_triangle_mesh::Point_3>& observed,
                         const std::vector<Indexed_triangle_mesh::Vector_3>& normals, const Vertex_neighbors& neighbors,
-                        const double noise, const std::array<std::size_t, M>& global_band_ends,
+                        const Noise_map& noise, const std::array<std::size_t, M>& global_band_ends,
                         const std::array<std::size_t, N>& local_band_ends, const Adaptive_parameters& parameters)
 {
   typedef Indexed_triangle_mesh::Vector_3 Vector_3;
@@ -73,7 +74,7 @@ Estimate estimate_along(Path& path, const std::vector<Indexed_triangle_mesh::Poi
   for(const std::size_t end : global_band_ends)
   {
     path.go_to(end);
-    const double t = weight_of_mesh<ConcurrencyTag>(n, product, square, noise * noise, parameters.mesh_penalty);
+    const double t = weight_of_mesh<ConcurrencyTag>(n, product, square, noise.level * noise.level, parameters.mesh_penalty);
     for_each_index<ConcurrencyTag>(n, [&](const std::size_t v)
     {
       given_back[v] += t * difference(v);
@@ -97,9 +98,9 @@ Estimate estimate_along(Path& path, const std::vector<Indexed_triangle_mesh::Poi
     });
   }
 
-  const auto equal_importance = [](std::size_t) { return 1.; };
+  const auto importance = [&](const std::size_t v) { return 1 / noise.squared_ratio(v); };
   const Mixing_penalties penalties = { parameters.mesh_penalty, parameters.band_penalty };
-  const auto weights = local_weights<ConcurrencyTag>(neighbors, parameters, noise * noise, penalties, equal_importance,
+  const auto weights = local_weights<ConcurrencyTag>(neighbors, parameters, noise.level * noise.level, penalties, importance,
                                                      moments);
   for_each_index<ConcurrencyTag>(n, [&](const std::size_t v)
   {

@@ -11,6 +11,7 @@
 #include <CGAL/license/Surface_mesh_denoising.h>
 
 #include <CGAL/Surface_mesh_denoising/Indexed_triangle_mesh.h>
+#include <CGAL/Surface_mesh_denoising/internal/Noise_map.h>
 #include <CGAL/Surface_mesh_denoising/internal/mixing.h>
 #include <CGAL/Surface_mesh_denoising/internal/normals.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
@@ -46,12 +47,12 @@ double swept_volume(const Indexed_triangle_mesh& mesh, const std::vector<Indexed
   });
 }
 
-// Offsets the surface, by no more than the noise, towards the volume that it enclosed with the observed points. That is a
+// Offsets the surface, by no more than the noise and in proportion to it, towards the volume that it enclosed with the observed points. That is a
 // sum of products of three different points: noise that is independent from vertex to vertex leaves its expectation
 // as it was, but not the volume itself. What the noise moves it by in the mean is no reason for an offset.
 template <typename ConcurrencyTag>
 void keep_volume(Indexed_triangle_mesh& mesh, const std::vector<Indexed_triangle_mesh::Point_3>& observed,
-                 const std::vector<bool>& is_movable, const double noise, const double penalty)
+                 const std::vector<bool>& is_movable, const Noise_map& noise, const double penalty)
 {
   typedef Indexed_triangle_mesh::Index      Index;
   typedef Indexed_triangle_mesh::Point_3    Point_3;
@@ -71,7 +72,7 @@ void keep_volume(Indexed_triangle_mesh& mesh, const std::vector<Indexed_triangle
     Vector_3 a(0, 0, 0);
     for(const Index f : mesh.faces_around_vertex(v))
       a += areas[f] / 3 * normals[f];
-    return a * vertex_normals[v];
+    return noise.ratio(v) * (a * vertex_normals[v]);
   });
   if(!(area > 0))
     return;
@@ -82,12 +83,12 @@ void keep_volume(Indexed_triangle_mesh& mesh, const std::vector<Indexed_triangle
     const double residual = (observed[v] - mesh.point(v)) * vertex_normals[v];
     return residual * residual;
   }) / number;
-  const double offset = (std::max)(-noise, (std::min)(shrunk(wanted, number, mean_square, penalty), noise));
+  const double offset = (std::max)(-noise.level, (std::min)(shrunk(wanted, number, mean_square, penalty), noise.level));
   std::vector<Point_3> points(mesh.points());
   for_each_index<ConcurrencyTag>(points.size(), [&](const std::size_t v)
   {
     if(is_movable[v])
-      points[v] = points[v] + offset * vertex_normals[v];
+      points[v] = points[v] + (offset * noise.ratio(v)) * vertex_normals[v];
   });
   mesh.swap_points(points);
 }

@@ -339,6 +339,79 @@ double noise_level_of_residuals(const Vertex_neighbors& neighbors, const std::ve
   }
 }
 
+// How strong residuals are in each place, a window of about two hundred vertices
+struct Local_levels
+{
+  std::vector<float> levels; // for each vertex, as standard deviations
+  double strong, weak;       // those that few places exceed, or fall below
+  double normality;          // of the strongest fifth: one for a normal distribution, less where edges make a few residuals large
+  // Of neighbors in the strongest fifth, and in the fifth below that, for what residuals differ from those around them
+  std::array<double, 2> correlations;
+};
+
+// The means of the neighbors are taken away from the residuals `number_of_differences` times, at least once. White noise with the
+// standard deviation one then has the given one
+template <typename ConcurrencyTag>
+Local_levels local_levels(const Vertex_neighbors& neighbors, const std::vector<bool>& counts, std::vector<double> residuals,
+                          const std::size_t number_of_differences, const double deviation_of_white_noise)
+{
+  const std::size_t number_of_averages = 30;
+  // the means of a standard normal distribution: edges matter less to that of the fourth root
+  const double mean_of_roots = 0.8826, mean_of_absolutes = 0.7979;
+
+  subtract_mean_of_neighbors<ConcurrencyTag>(neighbors, residuals);
+  const std::vector<double> first_differences = residuals;
+  for(std::size_t k=1; k<number_of_differences; ++k)
+    subtract_mean_of_neighbors<ConcurrencyTag>(neighbors, residuals);
+
+  const std::size_t n = residuals.size();
+  std::vector<Mixing_moments<2> > moments(n);
+  for_each_index<ConcurrencyTag>(n, [&](const std::size_t v)
+  {
+    const bool is_known = counts[v] && std::isfinite(residuals[v]);
+    const double r = is_known ? std::abs(residuals[v]) / deviation_of_white_noise : 0;
+    moments[v].products = {{ float(std::sqrt(std::sqrt(r))), float(r) }};
+    moments[v].squares = {{ float(is_known), float(is_known) }};
+  });
+  average_over_neighbors<ConcurrencyTag>(neighbors, number_of_averages, moments);
+
+  Local_levels result = { std::vector<float>(n), 0, 0, 0, {{ 0, 0 }} };
+  std::vector<float> known;
+  for(std::size_t v=0; v<n; ++v)
+    if(moments[v].squares[0] > 0)
+    {
+      const double root = moments[v].products[0] / (mean_of_roots * moments[v].squares[0]);
+      result.levels[v] = float(root * root * root * root);
+      if(counts[v])
+        known.push_back(result.levels[v]);
+    }
+  if(known.empty())
+    return result;
+  std::sort(known.begin(), known.end());
+  const auto quantile = [&](const double share) { return known[std::size_t(share * double(known.size() - 1))]; };
+  result.strong = quantile(0.95);
+  result.weak = quantile(0.1);
+
+  const std::array<float, 3> limits = {{ quantile(1), quantile(0.8), quantile(0.6) }};
+  for(std::size_t i=0; i<2; ++i)
+  {
+    std::vector<bool> is_chosen(n, false);
+    double sum_of_levels = 0, sum_of_means = 0;
+    for(std::size_t v=0; v<n; ++v)
+      if(counts[v] && moments[v].squares[0] > 0 && std::isfinite(first_differences[v])
+         && result.levels[v] >= limits[i+1] && result.levels[v] <= limits[i])
+      {
+        is_chosen[v] = true;
+        sum_of_levels += result.levels[v];
+        sum_of_means += moments[v].products[1] / (mean_of_absolutes * moments[v].squares[0]);
+      }
+    if(i == 0 && sum_of_means > 0)
+      result.normality = sum_of_levels / sum_of_means;
+    result.correlations[i] = correlation_of_neighbors<ConcurrencyTag>(neighbors, first_differences, is_chosen);
+  }
+  return result;
+}
+
 // Whether each vertex that counts belongs to a face that lies in one plane with a neighbor. Noise leaves hardly any face like that
 template <typename ConcurrencyTag>
 bool is_made_of_planes(const Indexed_triangle_mesh& mesh, const std::vector<bool>& counts)
@@ -389,7 +462,23 @@ struct Noise_estimate
 {
   double level;       // the standard deviation along the normals, in the unit of the coordinates
   bool may_be_shape;  // all that stands out seems to be shape, and there is no noise
+  double strong_level; // that of the places where noise is strongest, if it seems to be much stronger there; else zero
 };
+
+// The level of the residuals where they are strongest, if they may be noise there, much stronger than `level`: normally
+// distributed and white, as edges and detail are not. The less white, the stronger they have to be. Else zero
+template <typename ConcurrencyTag>
+double level_of_strong_noise(const Vertex_neighbors& neighbors, const std::vector<bool>& counts,
+                             const std::vector<double>& residuals, const double level)
+{
+  const double deviation_of_white_noise = 1.62, correlation_of_white_noise = -0.25;
+  const double least_normality = 0.8, least_ratio = 1.35, ratio_by_correlation = 6;
+
+  const Local_levels local = local_levels<ConcurrencyTag>(neighbors, counts, residuals, 2, deviation_of_white_noise);
+  const double ratio = least_ratio
+    + ratio_by_correlation * (std::max)(0., local.correlations[0] - correlation_of_white_noise);
+  return (local.strong > ratio * level && local.normality > least_normality) ? local.strong : 0;
+}
 
 // From the vertices that count; a few tell nothing. `mesh` comes back as it was
 template <typename ConcurrencyTag>
@@ -407,12 +496,17 @@ Noise_estimate estimate_noise(Indexed_triangle_mesh& mesh, const double mean_edg
   const std::ptrdiff_t number = std::count(counts.begin(), counts.end(), true);
   if(number < least_number_of_vertices
      || (number < sure_number_of_vertices && is_made_of_planes<ConcurrencyTag>(mesh, counts)))
-    return { 0, false };
+    return { 0, false, 0 };
   std::vector<double> residuals = leave_one_out_residuals<ConcurrencyTag>(mesh, mesh.points(), neighbors);
   const double level = noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, residuals);
   const double relative_level = level / mean_edge_length;
-  if(!(relative_level > strong_noise))
-    return { level, level > 0 && is_shape<ConcurrencyTag>(neighbors, std::move(residuals), counts, relative_level) };
+  Noise_estimate estimate = { level, false, level_of_strong_noise<ConcurrencyTag>(neighbors, counts, residuals, level) };
+  const bool is_strong = relative_level > strong_noise;
+  if(!is_strong)
+    estimate.may_be_shape = level > 0
+                         && is_shape<ConcurrencyTag>(neighbors, std::move(residuals), counts, relative_level);
+  if(!is_strong && !(estimate.strong_level > strong_noise * mean_edge_length))
+    return estimate;
 
   // Noise like that turns normals, and where triangles are small it hides itself: what it does seems to lie along the
   // surface. A smoothed mesh knows better where that is
@@ -429,7 +523,10 @@ Noise_estimate estimate_noise(Indexed_triangle_mesh& mesh, const double mean_edg
   }
   residuals = leave_one_out_residuals<ConcurrencyTag>(mesh, observed, neighbors);
   mesh.swap_points(observed);
-  return { noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, std::move(residuals)), false };
+  if(is_strong)
+    estimate.level = noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, residuals);
+  estimate.strong_level = level_of_strong_noise<ConcurrencyTag>(neighbors, counts, residuals, estimate.level);
+  return estimate;
 }
 
 // Noise along the normals lengthens the edges, by the factor that the difference of two normal deviates makes in the

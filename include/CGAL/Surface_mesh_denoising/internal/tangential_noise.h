@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_denoising/Indexed_triangle_mesh.h>
 #include <CGAL/Surface_mesh_denoising/internal/Adaptive_parameters.h>
+#include <CGAL/Surface_mesh_denoising/internal/Noise_map.h>
 #include <CGAL/Surface_mesh_denoising/internal/Normal_evolution.h>
 #include <CGAL/Surface_mesh_denoising/internal/Vertex_neighbors.h>
 #include <CGAL/Surface_mesh_denoising/internal/mixing.h>
@@ -40,11 +41,11 @@ struct Tangential_noise_ratio
 
 // How many faces the observed points turn over, as seen from outside the smoother surface `mesh`, beside how many they
 // would if the noise were as strong along the surface as across it. About one half to one if it is, while noise
-// along the normals turns none where the normals are known; `noise` is in the unit of the coordinates.
+// along the normals turns none where the normals are known.
 template <typename ConcurrencyTag>
 Tangential_noise_ratio tangential_noise_ratio(const Indexed_triangle_mesh& mesh,
                                               const std::vector<Indexed_triangle_mesh::Point_3>& observed,
-                                              const double noise, const Adaptive_parameters& parameters)
+                                              const Noise_map& noise, const Adaptive_parameters& parameters)
 {
   typedef Indexed_triangle_mesh::Vector_3 Vector_3;
 
@@ -68,7 +69,7 @@ Tangential_noise_ratio tangential_noise_ratio(const Indexed_triangle_mesh& mesh,
     const double height = height_of_face(mesh, f, areas);
     counts[f].is_known = true;
     counts[f].is_turned = area_vector(mesh, f, observed) * around.area_vector < 0;
-    counts[f].expected = 0.5 * std::erfc(height / (std::sqrt(2 * 1.5) * noise));
+    counts[f].expected = 0.5 * std::erfc(height / (std::sqrt(2 * 1.5) * noise.level * noise.ratio_of_face(mesh, f)));
   });
   const auto total = [&](const auto& value)
   { return sum<ConcurrencyTag>(counts.size(), [&](const std::size_t f) { return double(value(counts[f])); }); };
@@ -102,7 +103,7 @@ void compute_ways_to_centers(const Indexed_triangle_mesh& mesh, const Vertex_nei
 // surface itself are. For each vertex the share of the squares, in the mean around it (Wiener's filter)
 template <typename ConcurrencyTag>
 std::vector<double> noise_shares_of_ways(const std::vector<Indexed_triangle_mesh::Vector_3>& ways,
-                                         const Vertex_neighbors& neighbors, const double noise,
+                                         const Vertex_neighbors& neighbors, const Noise_map& noise,
                                          const Adaptive_parameters& parameters)
 {
   std::vector<Mixing_moments<1> > moments(ways.size());
@@ -111,7 +112,7 @@ std::vector<double> noise_shares_of_ways(const std::vector<Indexed_triangle_mesh
     moments[v].products[0] = moments[v].squares[0] = 0;
     if(!neighbors.is_inside(v))
       return;
-    moments[v].products[0] = float(2 * noise * noise * (1 + 1 / double(neighbors(v).size())));
+    moments[v].products[0] = float(2 * noise.at(v) * noise.at(v) * (1 + 1 / double(neighbors(v).size())));
     moments[v].squares[0] = float(ways[v].squared_length());
   });
   average_over_neighbors<ConcurrencyTag>(neighbors, parameters.sliding_number_of_averages, moments);
@@ -125,10 +126,10 @@ std::vector<double> noise_shares_of_ways(const std::vector<Indexed_triangle_mesh
 }
 
 // Vertices slide towards the centers of their neighbors as far as noise took them away from there, in the directions in which
-// normals do not change: on an edge, along the edge; `noise` is in the unit of the coordinates
+// normals do not change: on an edge, along the edge
 template <typename ConcurrencyTag>
 void relax_along_surface(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable,
-                         const Vertex_neighbors& neighbors, const double share, const double noise,
+                         const Vertex_neighbors& neighbors, const double share, const Noise_map& noise,
                          const Adaptive_parameters& parameters)
 {
   typedef Indexed_triangle_mesh::Index      Index;
