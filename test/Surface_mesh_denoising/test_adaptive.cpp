@@ -542,6 +542,19 @@ TEST(Located_noise, Goes_and_the_other_side_stays)
     }
 }
 
+// which would seem to be detail
+TEST(Located_noise, May_be_weak)
+{
+  for(const Model_generator model : {models::saddle, models::torus, models::sphere})
+    for(const double level : {0.05, 0.1})
+    {
+      const Mesh truth = irregular_mesh(model, 4000);
+      const Mesh noisy = with_noise_on_one_side(with_noise(truth, level / 4, 2), level);
+      EXPECT_LT(error(denoised(noisy), truth), 0.2 * error(noisy, truth));
+      EXPECT_LT(error(denoised(noisy), truth), 0.5 * error(denoised(noisy, params::locate_noise(false)), truth));
+    }
+}
+
 // as that of a depth camera, which moves points along its line of sight
 TEST(Located_noise, May_have_one_direction)
 {

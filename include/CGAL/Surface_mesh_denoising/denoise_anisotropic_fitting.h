@@ -243,8 +243,8 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *                           taken to hold everywhere.}
 *     \cgalParamType{Boolean}
 *     \cgalParamDefault{`true`}
-*     \cgalParamExtra{It has no effect if `noise_level` is given, and none where noise is as strong everywhere or weaker than 0.06 mean
-*                     edge lengths where it is strongest. Where it differs, the run takes about a third longer.}
+*     \cgalParamExtra{It has no effect if `noise_level` is given, and hardly any where noise is as strong everywhere. Where it differs, the
+*                     run takes up to a third longer, and up to a half longer on meshes of some thousand vertices.}
 *   \cgalParamNEnd
 *   \cgalParamNBegin{refine_noise_level}
 *     \cgalParamDescription{Adaptive method: whether a noise level is lowered that is about 30 percent higher, or more, than the

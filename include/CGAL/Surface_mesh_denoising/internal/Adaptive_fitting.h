@@ -226,8 +226,7 @@ private:
     m_noise.level = level;
     if(!is_noise_of_places(local))
       return true;
-    m_noise.level = m_parameters.refined_level_factor * local.strong;
-    set_ratios(local);
+    set_noise(local);
     for(std::size_t v=0; v<is_movable.size(); ++v)
       is_movable[v] = is_movable[v] && m_noise.ratios[v] > float(m_parameters.limits_of_located_ratios[0]);
     m_may_be_free_of_noise = false;
@@ -260,8 +259,24 @@ private:
     return local_levels<ConcurrencyTag>(neighbors, is_movable, std::move(residuals), 1, deviation_of_differences());
   }
 
-  void set_ratios(const Local_levels& local)
+  // What seems to be shape as it differs from place to place is noise all the same if it is white. Returns whether it is
+  bool locate_white_noise(const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
+                          const std::vector<double>& residuals)
   {
+    const Adaptive_parameters& p = m_parameters;
+    if(!(correlation_of_neighbors<ConcurrencyTag>(neighbors, residuals, is_movable) < p.correlation_of_white_noise))
+      return false;
+    const Local_levels local = local_levels<ConcurrencyTag>(neighbors, is_movable, residuals, 1, deviation_of_differences());
+    if(!(local.strong > (std::max)(p.least_white_noise * m_mean_edge_length, m_noise.level)
+         && (std::max)(local.correlations[0], local.correlations[1]) < p.correlation_of_white_differences))
+      return false;
+    set_noise(local);
+    return true;
+  }
+
+  void set_noise(const Local_levels& local)
+  {
+    m_noise.level = m_parameters.refined_level_factor * local.strong;
     const std::array<double, 2>& limits = m_parameters.limits_of_located_ratios;
     m_noise.ratios.resize(local.levels.size());
     for_each_index<ConcurrencyTag>(m_noise.ratios.size(), [&](const std::size_t v)
@@ -462,6 +477,12 @@ private:
       m_residuals_are_shape = share_of_noise(correlation + 2 * error_of_statistics(is_movable))
                               < m_parameters.least_share_of_noise
                            || are_mostly_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable, quiet);
+      if(m_residuals_are_shape && round == 0 && m_parameters.locate_noise
+         && locate_white_noise(is_movable, neighbors, residuals))
+      {
+        m_residuals_are_shape = false;
+        return true;
+      }
     }
     const double level = std::sqrt(share) * refined_level(is_movable, neighbors, std::move(residuals));
     if(m_residuals_are_shape)

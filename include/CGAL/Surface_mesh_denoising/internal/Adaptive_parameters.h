@@ -97,6 +97,11 @@ struct Adaptive_parameters
   // Noise that is no more than so many times the strongest is none, and no place has more than so many times that;
   std::array<double, 2> limits_of_located_ratios = {{ 0.02, 1.5 }};
   double least_located_ratio = 0.1;             // from weaker noise than this its level is not refined
+  // What patches leave is noise, however it differs from place to place, if it is white, by the correlations of neighbors and of
+  // differences, and where it is strongest no weaker than this and than it seemed.
+  double least_white_noise = 0.03;
+  double correlation_of_white_noise = -0.01;
+  double correlation_of_white_differences = -0.21;
 
   // The refined noise level. One that is a little too high costs less than one that is too low.
   double refined_level_factor = 1.1;            // times what the residuals tell,
