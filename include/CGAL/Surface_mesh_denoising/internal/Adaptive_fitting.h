@@ -47,9 +47,9 @@ namespace Surface_mesh_denoising {
 namespace internal {
 
 // Anisotropic surface fitting that chooses for itself: noise level -> pilot -> tangential noise -> patches, again from the
-// pilot on where they show other noise than was thought -> patches anew, and beside them a gentle and a linear path ->
-// mixing -> reassignment of faces -> moves of agreement -> unfolding -> volume. Each stage knows only what the ones before it
-// hand on.
+// pilot on where they show other noise than was thought, or that it differs from place to place -> patches anew, and beside
+// them a gentle, a linear and a quadric path -> mixing -> reassignment of faces -> moves of agreement -> unfolding -> volume.
+// Each stage knows only what the ones before it hand on.
 template <typename ConcurrencyTag>
 class Adaptive_fitting
 {

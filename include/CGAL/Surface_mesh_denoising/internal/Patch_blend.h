@@ -161,10 +161,11 @@ public:
     const std::array<double, 2>& limits = m_parameters.noise_to_choose_faces;
     for_each_index<ConcurrencyTag>(shares.size(), [&](const std::size_t v)
     {
+      const double noise = std::sqrt(squared_noise(v));
       const double choice = (std::min)(1., m_parameters.points_of_full_choice * shares[v]);
       const double length = neighbors(v).empty() ? 0 : mean_length_of_edges(m_mesh, neighbors, v);
       shares[v] = ((3 + m_parameters.coefficients_by_choice * choice) * shares[v]
-                   + m_parameters.noise_share_by_faces * ramp(std::sqrt(squared_noise(v)), limits[0] * length, limits[1] * length))
+                   + m_parameters.noise_share_by_faces * ramp(noise, limits[0] * length, limits[1] * length))
                 * squared_noise(v);
     });
     return shares;
