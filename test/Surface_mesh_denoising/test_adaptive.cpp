@@ -854,7 +854,8 @@ TEST(Tangential_noise, Shows_in_turned_faces)
     const auto ratio = [&](const Mesh& noisy, const double level)
     {
       return SMD::internal::tangential_noise_ratio<CGAL::Sequential_tag>(
-        surface, indexed_mesh(noisy).points(), SMD::internal::Noise_map(level * mean_edge_length(truth)), SMD::internal::Adaptive_parameters());
+        surface, indexed_mesh(noisy).points(), SMD::internal::Noise_map(level * mean_edge_length(truth)),
+        SMD::internal::Adaptive_parameters());
     };
     EXPECT_EQ(ratio(truth, 0.3).value, 0);
     EXPECT_LT(ratio(with_noise(truth, 0.3), 0.3).upper_bound, 0.05);

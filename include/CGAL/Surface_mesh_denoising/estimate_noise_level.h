@@ -114,7 +114,8 @@ double estimate_noise_level(const TriangleMesh& tmesh, const NamedParameters& np
   if(!(mean_edge_length > 0))
     return 0;
   const internal::Noise_estimate noise
-    = internal::estimate_noise<ConcurrencyTag>(mesh, mean_edge_length, internal::Vertex_neighbors(mesh), io.is_movable());
+    = internal::estimate_noise<ConcurrencyTag>(mesh, mean_edge_length, internal::Vertex_neighbors(mesh), io.is_movable(),
+                                               false);
   return noise.may_be_shape ? 0 : internal::in_smooth_edge_lengths(noise.level / mean_edge_length);
 }
 

@@ -163,10 +163,11 @@ private:
       m_noise.level = in_noisy_edge_lengths(m_noise_level) * m_mean_edge_length;
       return;
     }
-    const Noise_estimate estimate = estimate_noise<ConcurrencyTag>(mesh, m_mean_edge_length, neighbors, is_movable);
+    const Noise_estimate estimate = estimate_noise<ConcurrencyTag>(mesh, m_mean_edge_length, neighbors, is_movable,
+                                                                   m_parameters.locate_noise);
     m_may_be_free_of_noise = estimate.may_be_shape;
     m_noise.level = (m_may_be_free_of_noise && !m_parameters.refine_noise_level) ? 0 : estimate.level;
-    if(m_parameters.locate_noise && estimate.strong_level > m_parameters.least_located_noise * m_mean_edge_length)
+    if(estimate.strong_level > m_parameters.least_located_noise * m_mean_edge_length)
       m_strong_noise = estimate.strong_level;
   }
 

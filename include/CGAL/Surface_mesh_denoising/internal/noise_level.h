@@ -460,8 +460,8 @@ inline double median_sagitta(const Indexed_triangle_mesh& mesh, const std::vecto
 
 struct Noise_estimate
 {
-  double level;       // the standard deviation along the normals, in the unit of the coordinates
-  bool may_be_shape;  // all that stands out seems to be shape, and there is no noise
+  double level;        // the standard deviation along the normals, in the unit of the coordinates
+  bool may_be_shape;   // all that stands out seems to be shape, and there is no noise
   double strong_level; // that of the places where noise is strongest, if it seems to be much stronger there; else zero
 };
 
@@ -480,10 +480,12 @@ double level_of_strong_noise(const Vertex_neighbors& neighbors, const std::vecto
   return (local.strong > ratio * level && local.normality > least_normality) ? local.strong : 0;
 }
 
-// From the vertices that count; a few tell nothing. `mesh` comes back as it was
+// From the vertices that count; a few tell nothing. Places with stronger noise are looked for if `locates_noise`. `mesh` comes back
+// as it was
 template <typename ConcurrencyTag>
 Noise_estimate estimate_noise(Indexed_triangle_mesh& mesh, const double mean_edge_length,
-                              const Vertex_neighbors& neighbors, const std::vector<bool>& counts)
+                              const Vertex_neighbors& neighbors, const std::vector<bool>& counts,
+                              const bool locates_noise)
 {
   typedef Indexed_triangle_mesh::Point_3 Point_3;
 
@@ -500,13 +502,17 @@ Noise_estimate estimate_noise(Indexed_triangle_mesh& mesh, const double mean_edg
   std::vector<double> residuals = leave_one_out_residuals<ConcurrencyTag>(mesh, mesh.points(), neighbors);
   const double level = noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, residuals);
   const double relative_level = level / mean_edge_length;
-  Noise_estimate estimate = { level, false, level_of_strong_noise<ConcurrencyTag>(neighbors, counts, residuals, level) };
   const bool is_strong = relative_level > strong_noise;
+  Noise_estimate estimate = { level, false, 0 };
   if(!is_strong)
+  {
+    if(locates_noise)
+      estimate.strong_level = level_of_strong_noise<ConcurrencyTag>(neighbors, counts, residuals, level);
     estimate.may_be_shape = level > 0
                          && is_shape<ConcurrencyTag>(neighbors, std::move(residuals), counts, relative_level);
-  if(!is_strong && !(estimate.strong_level > strong_noise * mean_edge_length))
-    return estimate;
+    if(!(estimate.strong_level > strong_noise * mean_edge_length))
+      return estimate;
+  }
 
   // Noise like that turns normals, and where triangles are small it hides itself: what it does seems to lie along the
   // surface. A smoothed mesh knows better where that is
@@ -525,7 +531,8 @@ Noise_estimate estimate_noise(Indexed_triangle_mesh& mesh, const double mean_edg
   mesh.swap_points(observed);
   if(is_strong)
     estimate.level = noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, residuals);
-  estimate.strong_level = level_of_strong_noise<ConcurrencyTag>(neighbors, counts, residuals, estimate.level);
+  if(locates_noise)
+    estimate.strong_level = level_of_strong_noise<ConcurrencyTag>(neighbors, counts, residuals, estimate.level);
   return estimate;
 }
 
