@@ -235,6 +235,29 @@ TEST(Estimate_noise_level, Tells_detail_of_coarse_meshes_from_noise)
   }
 }
 
+// along the normals of a mesh that is known without noise
+TEST(Level_of_white_noise, Is_told_from_what_bends)
+{
+  const auto level = [](const Mesh& mesh)
+  {
+    const SMD::Indexed_triangle_mesh indexed = indexed_mesh(mesh);
+    const double length = indexed.mean_edge_length<CGAL::Sequential_tag>();
+    return SMD::internal::level_of_white_noise<CGAL::Sequential_tag>(
+             indexed, indexed.points(), length, SMD::internal::Vertex_neighbors(indexed),
+             std::vector<bool>(indexed.number_of_vertices(), true)) / length;
+  };
+  for(const Model_generator model : {models::torus, models::sphere})
+    for(const std::size_t size : {600, 2000})
+    {
+      const Mesh truth = irregular_mesh(model, size);
+      EXPECT_EQ(level(truth), 0);
+      for(const double noise : {0.04, 0.08})
+        EXPECT_NEAR(level(with_noise(truth, noise)), noise, 0.15 * noise) << size;
+    }
+  for(const std::size_t size : {400, 1500, 6000})
+    EXPECT_EQ(level(irregular_mesh(models::organic_shape, size)), 0);
+}
+
 // impulses, too, are not everywhere alike
 TEST(Estimate_noise_level, Tells_small_impulses_from_detail)
 {
@@ -657,6 +680,19 @@ TEST(Adaptive_fitting, Smooth_coarse_meshes_have_no_hidden_noise)
     const Mesh mesh = irregular_mesh(models::torus, size);
     EXPECT_EQ(points_of(denoised(mesh)), points_of(mesh)) << size;
   }
+}
+
+// which is small beside what triangles leave of the bends, and moves vertices along the surface as well
+TEST(Adaptive_fitting, Smooth_coarse_meshes_hide_no_noise)
+{
+  for(const std::size_t size : {500, 1000, 2000})
+    for(const unsigned int seed : {1, 2, 3})
+    {
+      const Mesh truth = irregular_mesh(models::torus, size);
+      Mesh noisy = truth;
+      SMD::add_noise(noisy, params::noise_level(0.05).noise_direction(SMD::Noise_direction::RANDOM).random_seed(seed));
+      EXPECT_LT(error(denoised(noisy), truth), 0.5 * error(noisy, truth)) << size << ", seed " << seed;
+    }
 }
 
 TEST(Adaptive_fitting, Large_residuals_that_lie_together_are_no_impulses)
@@ -1090,6 +1126,22 @@ TEST(Linear_path, Keeps_the_radius_of_a_sphere)
   auto path = input.path(input.observed, 1);
   path.go_to(input.parameters.linear_local_band_ends.back());
   EXPECT_NEAR(relative_radius(path, input.observed), 1, 1e-3);
+}
+
+// many steps of it alone inflate
+TEST(Linear_path, Gives_back_heights_over_lambda_mu_smoothing)
+{
+  Mesh mesh = irregular_mesh(models::sphere, 400);
+  Linear_path_input input(mesh);
+  auto path = input.path(input.observed, 1);
+  path.go_to(input.parameters.linear_number_of_lambda_mu_steps);
+  EXPECT_NEAR(relative_radius(path, input.observed), 1, 2e-3);
+
+  SMD::denoise_taubin(mesh, params::number_of_iterations(input.parameters.linear_number_of_lambda_mu_steps));
+  double sum = 0;
+  for(const Vertex v : mesh.vertices())
+    sum += std::sqrt((mesh.point(v) - CGAL::ORIGIN).squared_length());
+  EXPECT_GT(sum / double(mesh.number_of_vertices()), 1.01);
 }
 
 // only where it is small beside triangles

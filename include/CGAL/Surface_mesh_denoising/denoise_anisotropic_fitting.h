@@ -250,7 +250,8 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *     \cgalParamDescription{Adaptive method: whether a noise level is lowered that is about 30 percent higher, or more, than the
 *                           distances between the given points and the patches tell, but for what neighbors have in common
 *                           of them, and noise looked for where all seems to be shape. Distances that are less than twice what
-*                           the triangles leave of the shape, as those of vertices on chords, are no noise.}
+*                           the triangles leave of the shape, as those of vertices on chords, are no noise, unless they are more than
+*                           one and a half times that and noise as strong everywhere shows beside cubic surfaces.}
 *     \cgalParamType{Boolean}
 *     \cgalParamDefault{`true`}
 *     \cgalParamExtra{It has no effect if `noise_level` is given. It matters where noise is weak and the surface full of edges or detail;

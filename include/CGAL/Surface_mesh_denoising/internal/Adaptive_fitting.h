@@ -269,6 +269,7 @@ private:
       return false;
     const Local_levels local = local_levels<ConcurrencyTag>(neighbors, is_movable, residuals, 1, deviation_of_differences());
     if(!(local.strong > (std::max)(p.least_white_noise * m_mean_edge_length, m_noise.level)
+         && local.normality > p.normality_of_white_noise
          && (std::max)(local.correlations[0], local.correlations[1]) < p.correlation_of_white_differences))
       return false;
     set_noise(local);
@@ -363,8 +364,13 @@ private:
     // from here on as if noise were as strong everywhere
     for_each_index<ConcurrencyTag>(residuals.size(), [&](const std::size_t v) { residuals[v] /= m_noise.ratio(v); });
     const std::vector<bool> counts = places_with_noise(is_movable);
+    const auto is_white = [&]()
+    {
+      return level_of_white_noise<ConcurrencyTag>(mesh, observed, m_mean_edge_length, neighbors, is_movable) > 0;
+    };
     if(round == 0 && ((m_may_be_free_of_noise && !are_of_noise_after_all(counts, neighbors, residuals))
-                      || (m_parameters.refine_noise_level && are_of_triangulation(mesh, counts, residuals))))
+                      || (m_parameters.refine_noise_level
+                          && are_of_triangulation(mesh, counts, residuals, is_white))))
     {
       m_noise.level = 0;
       return true;
@@ -373,7 +379,7 @@ private:
        && remove_impulses(counts, neighbors, normals, residuals, were_of_shape, observed, original))
       return true;
     return m_parameters.refine_noise_level && !m_has_impulses
-           && refine_noise_level(round, counts, neighbors, std::move(residuals));
+           && refine_noise_level(round, counts, neighbors, std::move(residuals), is_white);
   }
 
   // the vertices that tell of the noise: none where there is hardly any
@@ -406,12 +412,16 @@ private:
   }
 
   // Vertices of level sets of functions on grids lie on chords: what they are off is no more than triangles leave of the shape
+  template <typename Is_white>
   bool are_of_triangulation(const Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable,
-                            const std::vector<double>& residuals) const
+                            const std::vector<double>& residuals, const Is_white& is_white) const
   {
-    return residuals_may_be_shape()
-        && root_mean_square(is_movable, residuals, (std::numeric_limits<double>::max)())
-         < m_parameters.triangulation_noise * median_sagitta(mesh, m_face_normals);
+    if(!residuals_may_be_shape())
+      return false;
+    const double size = root_mean_square(is_movable, residuals, (std::numeric_limits<double>::max)());
+    const double sagitta = median_sagitta(mesh, m_face_normals);
+    return size < m_parameters.white_triangulation_noise * sagitta
+        || (size < m_parameters.triangulation_noise * sagitta && !is_white());
   }
 
   // to the residuals: the share of the noise that their leverages tell
@@ -461,8 +471,9 @@ private:
   // The noise level rests on quadrics of two rings, which know no edges and hide detail of the shape in the noise. Patches tell
   // them apart, unless most of what they leave is shape: then a lower level makes patches that follow it. Where hardly any of
   // the first level is left there is no noise. Returns whether the level has become much lower
+  template <typename Is_white>
   bool refine_noise_level(const std::size_t round, const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
-                          std::vector<double> residuals)
+                          std::vector<double> residuals, const Is_white& is_white)
   {
     add_what_patches_follow(residuals);
     double share = 1;
@@ -483,6 +494,11 @@ private:
       {
         m_residuals_are_shape = false;
         return true;
+      }
+      if(m_residuals_are_shape && round == 0 && is_white())
+      {
+        m_residuals_are_shape = false;
+        return false;
       }
     }
     const double level = std::sqrt(share) * refined_level(is_movable, neighbors, std::move(residuals));

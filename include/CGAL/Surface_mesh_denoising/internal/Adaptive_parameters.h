@@ -75,6 +75,7 @@ struct Adaptive_parameters
   // Residuals whose root mean square is less than so many times the median height of an arc of the shape over an edge are those
   // of the triangulation, and there is no noise.
   double triangulation_noise = 2;
+  double white_triangulation_noise = 1.5;       // the same if they are white
 
   // Impulses: the root mean square of the residuals is more than so many times what their median tells of a normal
   // distribution. The noise then counts for as much more, but for no more than so many times its root mean square.
@@ -98,10 +99,11 @@ struct Adaptive_parameters
   std::array<double, 2> limits_of_located_ratios = {{ 0.02, 1.5 }};
   double least_located_ratio = 0.1;             // from weaker noise than this its level is not refined
   // What patches leave is noise, however it differs from place to place, if it is white, by the correlations of neighbors and of
-  // differences, and where it is strongest no weaker than this and than it seemed.
+  // differences, and where it is strongest about normally distributed and no weaker than this and than it seemed.
   double least_white_noise = 0.03;
   double correlation_of_white_noise = -0.01;
   double correlation_of_white_differences = -0.21;
+  double normality_of_white_noise = 0.8;
 
   // The refined noise level. One that is a little too high costs less than one that is too low.
   double refined_level_factor = 1.1;            // times what the residuals tell,
@@ -140,7 +142,8 @@ struct Adaptive_parameters
   std::size_t sliding_number_of_averages = 12;  // over windows of about seventy vertices
 
   // The gentle path: a wide range, which spares small detail as it tells little from noise, and many small steps.
-  double gentle_range = 9;                      // times noise
+  double gentle_range = 9;                      // times noise, and more for what surfaces bend from triangle to triangle:
+  double gentle_range_of_bends = 0.4;           // the squares of the two add up
   double gentle_normal_growth = 0.625;          // step k filters the normals 1 + growth (noise k)^2 times
   double gentle_move_growth = 1;                // and moves the vertices 2 + growth noise k times
   double gentle_maximal_growth = 3;             // each of the two grows by no more than this
@@ -160,6 +163,7 @@ struct Adaptive_parameters
   // The linear path. One of the first steps smooths with lambda and then with mu; those after them are of Laplacian smoothing.
   std::array<double, 2> lambda_mu = {{ 0.5, -0.53 }};
   std::size_t linear_number_of_lambda_mu_steps = 40;
+  std::size_t lambda_mu_number_of_height_steps = 20; // after the last of them
   std::array<double, 1> laplacian_shares = {{ 2./3 }}; // of the way to the mean of the neighbors
   std::size_t height_steps_by_step = 2;         // how much more heights are smoothed than points
   double least_laplacian_noise = 0.25;          // below so many times the height of triangles no Laplacian smoothing counts,

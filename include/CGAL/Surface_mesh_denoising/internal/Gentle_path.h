@@ -21,6 +21,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -133,7 +134,8 @@ private:
     const Adaptive_parameters& p = m_parameters;
     const auto growth = [&](const double g) { return std::size_t((std::min)(g, p.gentle_maximal_growth)); };
     const double progress = m_relative_noise * double((std::min)(m_step, p.gentle_number_of_steps));
-    return { (std::min)(p.gentle_range * m_relative_noise, p.largest_range), false,
+    const double range = std::hypot(p.gentle_range * m_relative_noise, p.gentle_range_of_bends);
+    return { (std::min)(range, p.largest_range), false,
              1 + growth(p.gentle_normal_growth * progress * progress),
              (m_step > p.gentle_number_of_steps) ? p.gentle_last_number_of_moves
                                                  : 2 + growth(p.gentle_move_growth * progress) };

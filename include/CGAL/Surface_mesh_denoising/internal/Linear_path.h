@@ -36,8 +36,9 @@ namespace internal {
 //
 // First come steps of lambda-mu smoothing (Taubin), which spares detail. It would take a thousand of them to leave nothing
 // of strong noise: the steps after them start from the observed points again and are of Laplacian smoothing. What that
-// shrinks is given back: the heights of the observed points above the smoothed ones, along the normals of these, smoothed in
-// turn. Hardly any noise is in them, and unlike positions they hardly change along a bent surface.
+// shrinks, and what many steps of the former inflate, is given back: the heights of the observed points above the smoothed ones,
+// along the normals of these, smoothed in turn. Hardly any noise is in them, and unlike positions they hardly change along a
+// bent surface.
 template <typename ConcurrencyTag>
 class Linear_path
 {
@@ -83,6 +84,8 @@ public:
       m_step = (std::max)(m_step, step);
     };
     go_on((std::min)(end, last), m_parameters.lambda_mu);
+    if(end == last)
+      compute_heights(m_parameters.lambda_mu_number_of_height_steps);
     if(end <= last)
       return;
     if(m_step == last)

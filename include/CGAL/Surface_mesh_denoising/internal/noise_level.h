@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -32,16 +33,29 @@ namespace CGAL {
 namespace Surface_mesh_denoising {
 namespace internal {
 
-// The height of the first of `points` above the quadric that fits the others best, as seen along `axis` and over the places
+// The monomials of a quadric, or of a cubic, the constant last
+inline Eigen::Matrix<double, 6, 1> monomials(const double u, const double v, std::integral_constant<int, 2>)
+{
+  return (Eigen::Matrix<double, 6, 1>() << u*u, u*v, v*v, u, v, 1).finished();
+}
+
+inline Eigen::Matrix<double, 10, 1> monomials(const double u, const double v, std::integral_constant<int, 3>)
+{
+  return (Eigen::Matrix<double, 10, 1>() << u*u*u, u*u*v, u*v*v, v*v*v, u*u, u*v, v*v, u, v, 1).finished();
+}
+
+// The height of the first of `points` above the polynomial that fits the others best, as seen along `axis` and over the places
 // of `feet`, divided by the root of its variance in units of that of the points: so noise of the standard deviation s gives a
-// residual of the standard deviation s. Not a number where the points determine no quadric.
-inline double leave_one_out_residual(const std::vector<Indexed_triangle_mesh::Point_3>& points,
+// residual of the standard deviation s. Not a number where the points determine no such polynomial.
+template <int degree>
+double leave_one_out_residual(const std::vector<Indexed_triangle_mesh::Point_3>& points,
                                      const std::vector<Indexed_triangle_mesh::Point_3>& feet,
                                      const Indexed_triangle_mesh::Vector_3& axis)
 {
   typedef Indexed_triangle_mesh::Vector_3 Vector_3;
-  typedef Eigen::Matrix<double, 6, 6> Matrix;
-  typedef Eigen::Matrix<double, 6, 1> Vector;
+  constexpr int number_of_coefficients = (degree + 1) * (degree + 2) / 2;
+  typedef Eigen::Matrix<double, number_of_coefficients, number_of_coefficients> Matrix;
+  typedef Eigen::Matrix<double, number_of_coefficients, 1> Vector;
 
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   double radius = 0;
@@ -58,16 +72,16 @@ inline double leave_one_out_residual(const std::vector<Indexed_triangle_mesh::Po
   {
     const Vector_3 d = (feet[i] - feet[0]) / radius;
     const double u = d * tangents[0], v = d * tangents[1];
-    const Vector monomials = (Vector() << u*u, u*v, v*v, u, v, 1).finished();
-    matrix.noalias() += monomials * monomials.transpose();
-    rhs += ((points[i] - points[0]) * axis / radius) * monomials;
+    const Vector m = monomials(u, v, std::integral_constant<int, degree>());
+    matrix.noalias() += m * m.transpose();
+    rhs += ((points[i] - points[0]) * axis / radius) * m;
   }
   const Eigen::LLT<Matrix> llt(matrix);
   if(llt.info() != Eigen::Success
      || !(llt.matrixLLT().diagonal().array().square() > 1e-8 * matrix.diagonal().array()).all())
     return unknown;
-  const Vector weights = llt.solve(Vector::Unit(5)); // the height of the fit at the first point: weights . rhs
-  return -radius * weights.dot(rhs) / std::sqrt(1 + weights[5]);
+  const Vector weights = llt.solve(Vector::Unit(number_of_coefficients - 1)); // the height of the fit at the first point: weights . rhs
+  return -radius * weights.dot(rhs) / std::sqrt(1 + weights[number_of_coefficients - 1]);
 }
 
 // the median of the absolute values of a normal distribution, in standard deviations
@@ -262,9 +276,9 @@ bool is_shape(const Vertex_neighbors& neighbors, std::vector<double> residuals, 
   return evidence > 0.4 + 2 / std::sqrt(number); // the less there is to go by, the more chance explains
 }
 
-// For each vertex how far it stands out of the quadric that is fitted to the two rings around it, without the vertex itself,
+// For each vertex how far it stands out of the polynomial that is fitted to the two rings around it, without the vertex itself,
 // where that is known. `mesh` holds the feet, `observed` the points
-template <typename ConcurrencyTag>
+template <int degree, typename ConcurrencyTag>
 std::vector<double> leave_one_out_residuals(const Indexed_triangle_mesh& mesh,
                                             const std::vector<Indexed_triangle_mesh::Point_3>& observed,
                                             const Vertex_neighbors& neighbors)
@@ -273,7 +287,7 @@ std::vector<double> leave_one_out_residuals(const Indexed_triangle_mesh& mesh,
   typedef Indexed_triangle_mesh::Point_3    Point_3;
   typedef Indexed_triangle_mesh::Vector_3   Vector_3;
 
-  const std::size_t least_number_of_points = 9, most_number_of_points = 64;
+  const std::size_t least_number_of_points = (degree + 1) * (degree + 2) / 2 + 3, most_number_of_points = 64;
 
   std::vector<Vector_3> vertex_normals;
   compute_vertex_normals<ConcurrencyTag>(mesh, vertex_normals);
@@ -312,7 +326,7 @@ std::vector<double> leave_one_out_residuals(const Indexed_triangle_mesh& mesh,
         feet.push_back(mesh.point(w));
         axis += vertex_normals[w];
       }
-      residuals[v] = leave_one_out_residual(points, feet, normalized_or_null(axis));
+      residuals[v] = leave_one_out_residual<degree>(points, feet, normalized_or_null(axis));
     }
   });
   return residuals;
@@ -337,6 +351,37 @@ double noise_level_of_residuals(const Vertex_neighbors& neighbors, const std::ve
       return level;
     subtract_mean_of_neighbors<ConcurrencyTag>(neighbors, residuals);
   }
+}
+
+// The level of white noise among what quadrics take for shape, or zero where there seems to be none. Cubics of two rings leave
+// hardly anything of a smooth shape: then noise shows, as strong everywhere and as white as nothing else is. `mesh` holds the
+// feet, `observed` the points
+template <typename ConcurrencyTag>
+double level_of_white_noise(const Indexed_triangle_mesh& mesh,
+                            const std::vector<Indexed_triangle_mesh::Point_3>& observed, const double mean_edge_length,
+                            const Vertex_neighbors& neighbors, const std::vector<bool>& counts)
+{
+  // weaker, vertices of meshes without noise seem to be noisy as well; stronger, coarse triangles
+  const double least_level = 0.0125, largest_level = 0.13;
+  const double least_uniformity = 0.72, least_number = 100; // of quiet places: fewer tell nothing
+  // in quiet places: of differences, and of differences of these, as white noise gives -0.3 and -0.32
+  const double largest_correlation = -0.25, largest_second_correlation = -0.3;
+
+  std::vector<double> residuals = leave_one_out_residuals<3, ConcurrencyTag>(mesh, observed, neighbors);
+  const double level = noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, residuals);
+  if(!(level > least_level * mean_edge_length && level < largest_level * mean_edge_length))
+    return 0;
+  const Quiet_places quiet = quiet_places<ConcurrencyTag>(neighbors, residuals, counts);
+  const double number = double(std::count(quiet.are_there.begin(), quiet.are_there.end(), true));
+  if(!(number >= least_number && quiet.uniformity > least_uniformity))
+    return 0;
+  const auto correlation_of_differences = [&]()
+  {
+    subtract_mean_of_neighbors<ConcurrencyTag>(neighbors, residuals);
+    return correlation_of_neighbors<ConcurrencyTag>(neighbors, residuals, quiet.are_there);
+  };
+  return (correlation_of_differences() < largest_correlation - 0.3 / std::sqrt(number) // less what chance explains
+          && correlation_of_differences() < largest_second_correlation) ? level : 0;
 }
 
 // How strong residuals are in each place, a window of about two hundred vertices
@@ -499,7 +544,7 @@ Noise_estimate estimate_noise(Indexed_triangle_mesh& mesh, const double mean_edg
   if(number < least_number_of_vertices
      || (number < sure_number_of_vertices && is_made_of_planes<ConcurrencyTag>(mesh, counts)))
     return { 0, false, 0 };
-  std::vector<double> residuals = leave_one_out_residuals<ConcurrencyTag>(mesh, mesh.points(), neighbors);
+  std::vector<double> residuals = leave_one_out_residuals<2, ConcurrencyTag>(mesh, mesh.points(), neighbors);
   const double level = noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, residuals);
   const double relative_level = level / mean_edge_length;
   const bool is_strong = relative_level > strong_noise;
@@ -510,6 +555,16 @@ Noise_estimate estimate_noise(Indexed_triangle_mesh& mesh, const double mean_edg
       estimate.strong_level = level_of_strong_noise<ConcurrencyTag>(neighbors, counts, residuals, level);
     estimate.may_be_shape = level > 0
                          && is_shape<ConcurrencyTag>(neighbors, std::move(residuals), counts, relative_level);
+    if(estimate.may_be_shape)
+    {
+      const double white_level = level_of_white_noise<ConcurrencyTag>(mesh, mesh.points(), mean_edge_length,
+                                                                              neighbors, counts);
+      if(white_level > 0)
+      {
+        estimate.level = (std::min)(level, white_level);
+        estimate.may_be_shape = false;
+      }
+    }
     if(!(estimate.strong_level > strong_noise * mean_edge_length))
       return estimate;
   }
@@ -527,7 +582,7 @@ Noise_estimate estimate_noise(Indexed_triangle_mesh& mesh, const double mean_edg
     });
     mesh.swap_points(points);
   }
-  residuals = leave_one_out_residuals<ConcurrencyTag>(mesh, observed, neighbors);
+  residuals = leave_one_out_residuals<2, ConcurrencyTag>(mesh, observed, neighbors);
   mesh.swap_points(observed);
   if(is_strong)
     estimate.level = noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, residuals);
