@@ -235,7 +235,7 @@ TEST(Estimate_noise_level, Tells_detail_of_coarse_meshes_from_noise)
   }
 }
 
-// along the normals of a mesh that is known without noise
+// cubics leave nothing of what bends smoothly, and detail is not white
 TEST(Level_of_white_noise, Is_told_from_what_bends)
 {
   const auto level = [](const Mesh& mesh)

@@ -411,7 +411,8 @@ private:
     return std::sqrt(squares / double(std::count(is_movable.begin(), is_movable.end(), true)));
   }
 
-  // Vertices of level sets of functions on grids lie on chords: what they are off is no more than triangles leave of the shape
+  // Vertices of level sets of functions on grids lie on chords: what they are off is no more than triangles leave of the shape.
+  // `is_white()` tells whether there is white noise beside cubics
   template <typename Is_white>
   bool are_of_triangulation(const Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable,
                             const std::vector<double>& residuals, const Is_white& is_white) const
@@ -497,6 +498,7 @@ private:
       }
       if(m_residuals_are_shape && round == 0 && is_white())
       {
+        // the shape is what patches are too stiff for, and cubics are not
         m_residuals_are_shape = false;
         return false;
       }

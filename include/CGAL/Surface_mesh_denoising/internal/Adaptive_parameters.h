@@ -75,7 +75,7 @@ struct Adaptive_parameters
   // Residuals whose root mean square is less than so many times the median height of an arc of the shape over an edge are those
   // of the triangulation, and there is no noise.
   double triangulation_noise = 2;
-  double white_triangulation_noise = 1.5;       // the same if they are white
+  double white_triangulation_noise = 1.5;       // the same where there is white noise beside cubics
 
   // Impulses: the root mean square of the residuals is more than so many times what their median tells of a normal
   // distribution. The noise then counts for as much more, but for no more than so many times its root mean square.

@@ -80,8 +80,9 @@ double leave_one_out_residual(const std::vector<Indexed_triangle_mesh::Point_3>&
   if(llt.info() != Eigen::Success
      || !(llt.matrixLLT().diagonal().array().square() > 1e-8 * matrix.diagonal().array()).all())
     return unknown;
-  const Vector weights = llt.solve(Vector::Unit(number_of_coefficients - 1)); // the height of the fit at the first point: weights . rhs
-  return -radius * weights.dot(rhs) / std::sqrt(1 + weights[number_of_coefficients - 1]);
+  constexpr int constant = number_of_coefficients - 1;
+  const Vector weights = llt.solve(Vector::Unit(constant)); // the height of the fit at the first point: weights . rhs
+  return -radius * weights.dot(rhs) / std::sqrt(1 + weights[constant]);
 }
 
 // the median of the absolute values of a normal distribution, in standard deviations
