@@ -490,17 +490,15 @@ private:
       m_residuals_are_shape = share_of_noise(correlation + 2 * error_of_statistics(is_movable))
                               < m_parameters.least_share_of_noise
                            || are_mostly_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable, quiet);
-      if(m_residuals_are_shape && round == 0 && m_parameters.locate_noise
-         && locate_white_noise(is_movable, neighbors, residuals))
+      if(m_residuals_are_shape && round == 0)
       {
-        m_residuals_are_shape = false;
-        return true;
-      }
-      if(m_residuals_are_shape && round == 0 && is_white())
-      {
-        // the shape is what patches are too stiff for, and cubics are not
-        m_residuals_are_shape = false;
-        return false;
+        // they are noise that differs from place to place, or of a shape that patches are too stiff for, and cubics are not
+        const bool is_located = m_parameters.locate_noise && locate_white_noise(is_movable, neighbors, residuals);
+        if(is_located || is_white())
+        {
+          m_residuals_are_shape = false;
+          return is_located;
+        }
       }
     }
     const double level = std::sqrt(share) * refined_level(is_movable, neighbors, std::move(residuals));

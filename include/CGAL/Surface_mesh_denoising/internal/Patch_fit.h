@@ -74,22 +74,6 @@ struct Patch_surface
   bool is_plane() const { return number_of_terms == 3; }
   bool is_cubic() const { return number_of_terms == 10; }
 
-  // the first so many of 1, u, v, u^2, uv, v^2, u^3, and so on
-  template <int number>
-  static Eigen::Matrix<double, number, 1> monomials(const double u, const double v)
-  {
-    Eigen::Matrix<double, number, 1> m;
-    m[0] = 1;
-    for(int degree=1, k=1; k<number; ++degree)
-    {
-      for(int i=0; i<degree; ++i, ++k)
-        m[k] = u * m[k - degree];
-      m[k] = v * m[k - degree - 1];
-      ++k;
-    }
-    return m;
-  }
-
   double height(const double u, const double v) const
   {
     const double h = polynomial(u, v);
@@ -313,7 +297,7 @@ private:
   template <int number, int number_of_moments>
   void add(const double u, const double v, const double height, const double pilot_height)
   {
-    const auto m = Patch_surface::monomials<number_of_moments>(u, v);
+    const auto m = monomials<number_of_moments>(u, v);
     m_moments.head<number_of_moments>() += m;
     m_rhs.head<number>() += height * m.template head<number>();
     m_pilot_rhs.head<number>() += pilot_height * m.template head<number>();

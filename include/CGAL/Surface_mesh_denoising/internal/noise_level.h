@@ -25,7 +25,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -33,29 +32,18 @@ namespace CGAL {
 namespace Surface_mesh_denoising {
 namespace internal {
 
-// The monomials of a quadric, or of a cubic, the constant last
-inline Eigen::Matrix<double, 6, 1> monomials(const double u, const double v, std::integral_constant<int, 2>)
-{
-  return (Eigen::Matrix<double, 6, 1>() << u*u, u*v, v*v, u, v, 1).finished();
-}
-
-inline Eigen::Matrix<double, 10, 1> monomials(const double u, const double v, std::integral_constant<int, 3>)
-{
-  return (Eigen::Matrix<double, 10, 1>() << u*u*u, u*u*v, u*v*v, v*v*v, u*u, u*v, v*v, u, v, 1).finished();
-}
-
 // The height of the first of `points` above the polynomial that fits the others best, as seen along `axis` and over the places
 // of `feet`, divided by the root of its variance in units of that of the points: so noise of the standard deviation s gives a
-// residual of the standard deviation s. Not a number where the points determine no such polynomial.
-template <int degree>
+// residual of the standard deviation s. Not a number where the points determine no such polynomial. It has so many terms: six are
+// a quadric, ten a cubic.
+template <int number_of_terms>
 double leave_one_out_residual(const std::vector<Indexed_triangle_mesh::Point_3>& points,
                                      const std::vector<Indexed_triangle_mesh::Point_3>& feet,
                                      const Indexed_triangle_mesh::Vector_3& axis)
 {
   typedef Indexed_triangle_mesh::Vector_3 Vector_3;
-  constexpr int number_of_coefficients = (degree + 1) * (degree + 2) / 2;
-  typedef Eigen::Matrix<double, number_of_coefficients, number_of_coefficients> Matrix;
-  typedef Eigen::Matrix<double, number_of_coefficients, 1> Vector;
+  typedef Eigen::Matrix<double, number_of_terms, number_of_terms> Matrix;
+  typedef Eigen::Matrix<double, number_of_terms, 1> Vector;
 
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   double radius = 0;
@@ -72,7 +60,7 @@ double leave_one_out_residual(const std::vector<Indexed_triangle_mesh::Point_3>&
   {
     const Vector_3 d = (feet[i] - feet[0]) / radius;
     const double u = d * tangents[0], v = d * tangents[1];
-    const Vector m = monomials(u, v, std::integral_constant<int, degree>());
+    const Vector m = monomials<number_of_terms>(v, u).reverse(); // the constant is the last
     matrix.noalias() += m * m.transpose();
     rhs += ((points[i] - points[0]) * axis / radius) * m;
   }
@@ -80,7 +68,7 @@ double leave_one_out_residual(const std::vector<Indexed_triangle_mesh::Point_3>&
   if(llt.info() != Eigen::Success
      || !(llt.matrixLLT().diagonal().array().square() > 1e-8 * matrix.diagonal().array()).all())
     return unknown;
-  constexpr int constant = number_of_coefficients - 1;
+  constexpr int constant = number_of_terms - 1;
   const Vector weights = llt.solve(Vector::Unit(constant)); // the height of the fit at the first point: weights . rhs
   return -radius * weights.dot(rhs) / std::sqrt(1 + weights[constant]);
 }
@@ -279,7 +267,7 @@ bool is_shape(const Vertex_neighbors& neighbors, std::vector<double> residuals, 
 
 // For each vertex how far it stands out of the polynomial that is fitted to the two rings around it, without the vertex itself,
 // where that is known. `mesh` holds the feet, `observed` the points
-template <int degree, typename ConcurrencyTag>
+template <int number_of_terms, typename ConcurrencyTag>
 std::vector<double> leave_one_out_residuals(const Indexed_triangle_mesh& mesh,
                                             const std::vector<Indexed_triangle_mesh::Point_3>& observed,
                                             const Vertex_neighbors& neighbors)
@@ -288,7 +276,7 @@ std::vector<double> leave_one_out_residuals(const Indexed_triangle_mesh& mesh,
   typedef Indexed_triangle_mesh::Point_3    Point_3;
   typedef Indexed_triangle_mesh::Vector_3   Vector_3;
 
-  const std::size_t least_number_of_points = (degree + 1) * (degree + 2) / 2 + 3, most_number_of_points = 64;
+  const std::size_t least_number_of_points = number_of_terms + 3, most_number_of_points = 64;
 
   std::vector<Vector_3> vertex_normals;
   compute_vertex_normals<ConcurrencyTag>(mesh, vertex_normals);
@@ -327,7 +315,7 @@ std::vector<double> leave_one_out_residuals(const Indexed_triangle_mesh& mesh,
         feet.push_back(mesh.point(w));
         axis += vertex_normals[w];
       }
-      residuals[v] = leave_one_out_residual<degree>(points, feet, normalized_or_null(axis));
+      residuals[v] = leave_one_out_residual<number_of_terms>(points, feet, normalized_or_null(axis));
     }
   });
   return residuals;
@@ -368,7 +356,7 @@ double level_of_white_noise(const Indexed_triangle_mesh& mesh,
   // in quiet places: of differences, and of differences of these, as white noise gives -0.3 and -0.32
   const double largest_correlation = -0.25, largest_second_correlation = -0.3;
 
-  std::vector<double> residuals = leave_one_out_residuals<3, ConcurrencyTag>(mesh, observed, neighbors);
+  std::vector<double> residuals = leave_one_out_residuals<10, ConcurrencyTag>(mesh, observed, neighbors);
   const double level = noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, residuals);
   if(!(level > least_level * mean_edge_length && level < largest_level * mean_edge_length))
     return 0;
@@ -545,7 +533,7 @@ Noise_estimate estimate_noise(Indexed_triangle_mesh& mesh, const double mean_edg
   if(number < least_number_of_vertices
      || (number < sure_number_of_vertices && is_made_of_planes<ConcurrencyTag>(mesh, counts)))
     return { 0, false, 0 };
-  std::vector<double> residuals = leave_one_out_residuals<2, ConcurrencyTag>(mesh, mesh.points(), neighbors);
+  std::vector<double> residuals = leave_one_out_residuals<6, ConcurrencyTag>(mesh, mesh.points(), neighbors);
   const double level = noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, residuals);
   const double relative_level = level / mean_edge_length;
   const bool is_strong = relative_level > strong_noise;
@@ -558,8 +546,8 @@ Noise_estimate estimate_noise(Indexed_triangle_mesh& mesh, const double mean_edg
                          && is_shape<ConcurrencyTag>(neighbors, std::move(residuals), counts, relative_level);
     if(estimate.may_be_shape)
     {
-      const double white_level = level_of_white_noise<ConcurrencyTag>(mesh, mesh.points(), mean_edge_length,
-                                                                              neighbors, counts);
+      const double white_level = level_of_white_noise<ConcurrencyTag>(mesh, mesh.points(), mean_edge_length, neighbors,
+                                                                      counts);
       if(white_level > 0)
       {
         estimate.level = (std::min)(level, white_level);
@@ -583,7 +571,7 @@ Noise_estimate estimate_noise(Indexed_triangle_mesh& mesh, const double mean_edg
     });
     mesh.swap_points(points);
   }
-  residuals = leave_one_out_residuals<2, ConcurrencyTag>(mesh, observed, neighbors);
+  residuals = leave_one_out_residuals<6, ConcurrencyTag>(mesh, observed, neighbors);
   mesh.swap_points(observed);
   if(is_strong)
     estimate.level = noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, residuals);

@@ -35,6 +35,22 @@ inline std::array<Indexed_triangle_mesh::Vector_3, 2> tangent_frame(const Indexe
             Vector_3(-a*n.x()*n.y(), 1 - a*n.y()*n.y(), -s*n.y()) }};
 }
 
+// the first so many of 1, u, v, u^2, uv, v^2, u^3, and so on
+template <int number>
+Eigen::Matrix<double, number, 1> monomials(const double u, const double v)
+{
+  Eigen::Matrix<double, number, 1> m;
+  m[0] = 1;
+  for(int degree=1, k=1; k<number; ++degree)
+  {
+    for(int i=0; i<degree; ++i, ++k)
+      m[k] = u * m[k - degree];
+    m[k] = v * m[k - degree - 1];
+    ++k;
+  }
+  return m;
+}
+
 // Fits h(u,v) = g + e u + f v + a u^2 + b uv + c v^2 to points by weighted least squares, in the frame with origin `origin` and third
 // axis `axis`, with the weights exp(-|p - origin| / max |p - origin|). Returns h(0,0). If the points do not determine h well,
 // the same for the plane h(u,v) = g + e u + f v, and if they do not determine that either, zero.
