@@ -28,14 +28,19 @@ namespace Surface_mesh_denoising {
 * stand out from these surfaces is noise where the shape is smooth. Medians keep edges and corners out, and differences between
 * neighbors what is left of the shape.
 *
+* Where triangles are few and long, as in many CAD models, these surfaces cross edges of the shape nearly everywhere. Most edges
+* between two triangles do not: in the median, how far their four vertices are from one plane bounds the noise. This counts where it
+* tells less than 0.15 mean edge lengths, and less than half of what the surfaces tell; the level is then 1.4 times what it tells.
+*
 * Fine detail of the shape stands out like noise, but not everywhere alike, and neighbors stand out together. What is less than 0.045
-* mean edge lengths, and far less in some parts of the mesh than in others, counts as detail, and the level is zero. So it is up to 0.15
-* mean edge lengths if neighbors stand out together even in the smoothest third of the mesh, where those of noise alone tend to
-* opposite sides. Unless it is noise beside cubic surfaces, which leave less of a smooth shape: about as strong everywhere, and as
-* independent from vertex to vertex as nothing else, if about three hundred vertices or more can tell and it is between 0.0125 and 0.13
-* mean edge lengths. A coarse mesh full of detail may still pass for a noisy one, and weak noise on such a mesh, or on one with edges, up
-* to about 0.05 mean edge lengths, for detail. `denoise_anisotropic_fitting()` knows more of it in the end. Fewer than 50 vertices tell
-* too little, and fewer than 300 have no noise if each belongs to a face that lies in one plane with a neighbor: the level is zero.
+* mean edge lengths, and far less in some parts of the mesh than in others, counts as detail, and the level is zero. So it is up to
+* 0.15 mean edge lengths if neighbors stand out together even in the smoothest third of the mesh, where those of noise alone tend to
+* opposite sides. Unless it is noise beside cubic surfaces, which leave less of a
+* smooth shape: about as strong everywhere, and as independent from vertex to vertex as nothing else, if about three hundred vertices
+* or more can tell and it is between 0.0125 and 0.13 mean edge lengths. A coarse mesh full of detail may still pass for a noisy one,
+* and weak noise on such a mesh, or on one with edges, up to about 0.05 mean edge lengths, for detail.
+* `denoise_anisotropic_fitting()` knows more of it in the end. Fewer than 50 vertices tell too little, and fewer than 300 have no
+* noise if each belongs to a face that lies in one plane with a neighbor: the level is zero.
 *
 * The noise is taken to be as strong everywhere: that of less than half of the mesh goes unnoticed, as the medians do not see it.
 * `denoise_anisotropic_fitting()` looks for places like that.

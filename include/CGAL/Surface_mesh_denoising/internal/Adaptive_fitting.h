@@ -454,10 +454,14 @@ private:
        || median_of_absolutes(m_leverages, is_movable) > m_parameters.leverage_of_hidden_noise)
       return false;
     const Quiet_places quiet = quiet_places<ConcurrencyTag>(neighbors, residuals, is_movable);
+    if(!(correlation_of_neighbors<ConcurrencyTag>(neighbors, residuals, quiet.are_there)
+         < m_parameters.correlation_of_hidden_noise))
+      return false;
+    if(level < m_parameters.weak_hidden_noise * m_mean_edge_length)
+      return quiet.uniformity > m_parameters.uniformity_of_weak_hidden_noise
+          && correlation_of_sizes<ConcurrencyTag>(neighbors, residuals, is_movable) < 0;
     return !are_mostly_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable, quiet,
-                                                m_parameters.uniformity_of_hidden_noise)
-        && correlation_of_neighbors<ConcurrencyTag>(neighbors, residuals, quiet.are_there)
-         < m_parameters.correlation_of_hidden_noise;
+                                                m_parameters.uniformity_of_hidden_noise);
   }
 
   // What patches leave of noise has opposite signs at neighbors, the more the patches follow it; what they leave of the shape

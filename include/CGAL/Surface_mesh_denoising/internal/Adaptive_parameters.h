@@ -69,8 +69,10 @@ struct Adaptive_parameters
   // Where all seems to be shape, patches show noise if the level that they tell is less than so many times that which seemed,
   double level_of_hidden_noise = 0.85;
   double leverage_of_hidden_noise = 0.15;       // they do not follow all that there is (half of them have less leverage),
-  double uniformity_of_hidden_noise = 0.7;      // what they leave is no less uniform than this or does not lie together,
-  double correlation_of_hidden_noise = 0.1;     // and neighbors in quiet places have less in common than this.
+  double correlation_of_hidden_noise = 0.1;     // neighbors in quiet places have less in common than this,
+  double uniformity_of_hidden_noise = 0.7;      // and what they leave is no less uniform than this or does not lie together.
+  double weak_hidden_noise = 0.006;             // Detail may be as weak as so many mean edge lengths: below,
+  double uniformity_of_weak_hidden_noise = 0.75; // it has to be more uniform, and not lie together at all.
 
   // Residuals whose root mean square is less than so many times the median height of an arc of the shape over an edge are those
   // of the triangulation, and there is no noise.

@@ -76,7 +76,8 @@ double leave_one_out_residual(const std::vector<Indexed_triangle_mesh::Point_3>&
 // the median of the absolute values of a normal distribution, in standard deviations
 const double median_of_normal_distribution = 0.6745;
 
-inline double median_of_absolutes(const std::vector<double>& values, const std::vector<bool>& counts)
+// of those that count and are known; zero if none is
+inline double quantile_of_absolutes(const std::vector<double>& values, const std::vector<bool>& counts, const double share)
 {
   std::vector<double> absolutes;
   for(std::size_t i=0; i<values.size(); ++i)
@@ -84,9 +85,14 @@ inline double median_of_absolutes(const std::vector<double>& values, const std::
       absolutes.push_back(std::abs(values[i]));
   if(absolutes.empty())
     return 0;
-  const auto middle = absolutes.begin() + absolutes.size() / 2;
-  std::nth_element(absolutes.begin(), middle, absolutes.end());
-  return *middle;
+  const auto it = absolutes.begin() + std::size_t(share * double(absolutes.size()));
+  std::nth_element(absolutes.begin(), it, absolutes.end());
+  return *it;
+}
+
+inline double median_of_absolutes(const std::vector<double>& values, const std::vector<bool>& counts)
+{
+  return quantile_of_absolutes(values, counts, 0.5);
 }
 
 // of those that are known; zero if none is
@@ -175,13 +181,13 @@ double correlation_of_neighbors(const Vertex_neighbors& neighbors, std::vector<d
   return (squares > 0) ? products / squares : 0;
 }
 
-// The share of the vertices whose residual is large and much larger than those of all their neighbors: edges and detail
-// are never of one vertex
+// The share of the vertices whose residual is large beside the `usual` one and much larger than those of all their neighbors:
+// edges and detail are never of one vertex
 template <typename ConcurrencyTag>
 double share_of_impulses(const Vertex_neighbors& neighbors, const std::vector<double>& residuals,
-                         const std::vector<bool>& counts)
+                         const std::vector<bool>& counts, const double usual)
 {
-  const double least = 4 * median_of_absolutes(residuals, counts), largest_neighbor = 0.35;
+  const double least = 4 * usual, largest_neighbor = 0.35;
   const double number = sum<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
   {
     const double r = std::abs(residuals[v]);
@@ -192,6 +198,13 @@ double share_of_impulses(const Vertex_neighbors& neighbors, const std::vector<do
   const double whole = sum<ConcurrencyTag>(residuals.size(), [&](const std::size_t v)
   { return double(counts[v] && std::isfinite(residuals[v])); });
   return (whole > 0) ? number / whole : 0;
+}
+
+template <typename ConcurrencyTag>
+double share_of_impulses(const Vertex_neighbors& neighbors, const std::vector<double>& residuals,
+                         const std::vector<bool>& counts)
+{
+  return share_of_impulses<ConcurrencyTag>(neighbors, residuals, counts, median_of_absolutes(residuals, counts));
 }
 
 // How far large residuals lie together: the correlation of the sizes of neighbors, less what chance explains where there is
@@ -213,6 +226,14 @@ double correlation_of_sizes(const Vertex_neighbors& neighbors, const std::vector
   return correlation_of_neighbors<ConcurrencyTag>(neighbors, std::move(sizes), counts) - 2 / std::sqrt(number);
 }
 
+// the same with large residuals cut as usual
+template <typename ConcurrencyTag>
+double correlation_of_sizes(const Vertex_neighbors& neighbors, const std::vector<double>& residuals,
+                            const std::vector<bool>& counts)
+{
+  return correlation_of_sizes<ConcurrencyTag>(neighbors, residuals, counts, 4 * median_of_absolutes(residuals, counts));
+}
+
 // Whether the shape makes the large residuals: then they lie together, and hardly any stands alone
 template <typename ConcurrencyTag>
 bool are_of_shape(const Vertex_neighbors& neighbors, const std::vector<double>& residuals, const std::vector<bool>& counts,
@@ -231,8 +252,7 @@ bool are_mostly_of_shape(const Vertex_neighbors& neighbors, const std::vector<do
 {
   const double largest_correlation = 0.14;
 
-  return correlation_of_sizes<ConcurrencyTag>(neighbors, residuals, counts, 4 * median_of_absolutes(residuals, counts))
-           > largest_correlation
+  return correlation_of_sizes<ConcurrencyTag>(neighbors, residuals, counts) > largest_correlation
       && quiet.uniformity < least_uniformity;
 }
 
@@ -340,6 +360,75 @@ double noise_level_of_residuals(const Vertex_neighbors& neighbors, const std::ve
       return level;
     subtract_mean_of_neighbors<ConcurrencyTag>(neighbors, residuals);
   }
+}
+
+// How far the four vertices of two triangles with a common edge are from one plane, divided as a residual is: so noise of the
+// standard deviation s gives the standard deviation s. One for each such edge with four vertices that count
+template <typename ConcurrencyTag>
+std::vector<double> residuals_of_edges(const Indexed_triangle_mesh& mesh, const std::vector<bool>& counts)
+{
+  typedef Indexed_triangle_mesh::Index      Index;
+  typedef Indexed_triangle_mesh::Point_3    Point_3;
+  typedef Indexed_triangle_mesh::Vector_3   Vector_3;
+
+  std::vector<Vector_3> normals;
+  compute_vertex_normals<ConcurrencyTag>(mesh, normals);
+
+  std::vector<double> residuals;
+  for(std::size_t f=0; f<mesh.number_of_faces(); ++f)
+    for(const Index g : mesh.neighbors(f))
+    {
+      if(g == Indexed_triangle_mesh::null_index() || g < f)
+        continue;
+      const std::array<Index, 3>& face = mesh.vertices(f);
+      const auto it = std::find_if(mesh.vertices(g).begin(), mesh.vertices(g).end(), [&](const Index v)
+                                   { return std::find(face.begin(), face.end(), v) == face.end(); });
+      if(it == mesh.vertices(g).end() || !counts[*it]
+         || !std::all_of(face.begin(), face.end(), [&](const Index v) { return counts[v]; }))
+        continue;
+      // the volume of their tetrahedron, over the areas of its sides as seen along the normal: it is linear in the heights of
+      // the vertices, and these areas are its derivatives
+      const Point_3& p = mesh.point(face[0]);
+      const Vector_3 a = mesh.point(face[1]) - p, b = mesh.point(face[2]) - p, c = mesh.point(*it) - p;
+      const Vector_3 normal = normalized_or_null(normals[face[0]] + normals[face[1]] + normals[face[2]] + normals[*it]);
+      const double ab = cross_product(a, b) * normal, bc = cross_product(b, c) * normal, ca = cross_product(c, a) * normal;
+      const double squares = ab * ab + bc * bc + ca * ca + (ab + bc + ca) * (ab + bc + ca);
+      if(squares > 0)
+        residuals.push_back(cross_product(a, b) * c / std::sqrt(squares));
+    }
+  return residuals;
+}
+
+// The `level` that the `residuals` of quadrics tell, unless edges of triangles show that it is much too high. On parts with few
+// triangles quadrics of two rings cross the edges of the shape nearly everywhere; most edges of triangles do not bend with the
+// shape, or hardly
+template <typename ConcurrencyTag>
+double level_by_edges(const Indexed_triangle_mesh& mesh, const double mean_edge_length, const Vertex_neighbors& neighbors,
+                      const std::vector<bool>& counts, const std::vector<double>& residuals, const double level)
+{
+  const std::size_t least_number = 50;
+  const double lower_quartile_of_normal_distribution = 0.3186; // of the absolute values, in standard deviations
+  // with stronger noise triangles are turned, and the less do they tell
+  const double largest_level = 0.15, least_ratio = 2;
+  const double factor = 1.4; // they tell too little where heights are small beside the noise
+  const double least_evenness = 0.6, least_part_of_level = 0.05, largest_share_of_impulses = 0.005;
+
+  const std::vector<double> edges = residuals_of_edges<ConcurrencyTag>(mesh, counts);
+  if(edges.size() < least_number)
+    return level;
+  const std::vector<bool> all(edges.size(), true);
+  const double median = median_of_absolutes(edges, all);
+  const double edge_level = median / median_of_normal_distribution;
+  if(!(edge_level < largest_level * mean_edge_length && least_ratio * edge_level < level))
+    return level;
+  // impulses spare most edges
+  const double lower_level = quantile_of_absolutes(edges, all, 0.25) / lower_quartile_of_normal_distribution;
+  if(!(lower_level > least_evenness * edge_level)
+     && share_of_impulses<ConcurrencyTag>(neighbors, residuals, counts,
+                                          (std::max)(median, least_part_of_level * median_of_normal_distribution * level))
+        > largest_share_of_impulses)
+    return level;
+  return factor * edge_level;
 }
 
 // The level of white noise among what quadrics take for shape, or zero where there seems to be none. Cubics of two rings leave
@@ -534,7 +623,8 @@ Noise_estimate estimate_noise(Indexed_triangle_mesh& mesh, const double mean_edg
      || (number < sure_number_of_vertices && is_made_of_planes<ConcurrencyTag>(mesh, counts)))
     return { 0, false, 0 };
   std::vector<double> residuals = leave_one_out_residuals<6, ConcurrencyTag>(mesh, mesh.points(), neighbors);
-  const double level = noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, residuals);
+  const double level = level_by_edges<ConcurrencyTag>(mesh, mean_edge_length, neighbors, counts, residuals,
+                                                      noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, residuals));
   const double relative_level = level / mean_edge_length;
   const bool is_strong = relative_level > strong_noise;
   Noise_estimate estimate = { level, false, 0 };
