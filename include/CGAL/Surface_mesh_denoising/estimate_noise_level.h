@@ -34,8 +34,8 @@ namespace Surface_mesh_denoising {
 *
 * Fine detail of the shape stands out like noise, but not everywhere alike, and neighbors stand out together. What is less than 0.045
 * mean edge lengths, and far less in some parts of the mesh than in others, counts as detail, and the level is zero. So it is up to
-* 0.15 mean edge lengths if neighbors stand out together even in the smoothest third of the mesh, where those of noise alone tend to
-* opposite sides. Unless it is noise beside cubic surfaces, which leave less of a
+* 0.2 mean edge lengths if neighbors stand out together even in the smoothest third of the mesh, where those of noise alone tend to
+* opposite sides; above 0.15 they have to do so the more clearly. Unless it is noise beside cubic surfaces, which leave less of a
 * smooth shape: about as strong everywhere, and as independent from vertex to vertex as nothing else, if about three hundred vertices
 * or more can tell and it is between 0.0125 and 0.13 mean edge lengths. A coarse mesh full of detail may still pass for a noisy one,
 * and weak noise on such a mesh, or on one with edges, up to about 0.05 mean edge lengths, for detail.

@@ -95,7 +95,7 @@ struct Adaptive_parameters
   double located_normality = 0.85;              // nearly normally distributed, or
   double spread_beyond_impulses = 10;           // more than so many times what they leave where it is weakest;
   double least_located_spread = 1.6;            // and at least so many times that,
-  double located_spread_by_correlation = 33;    // and the more times the further the correlation of neighbors is
+  double located_spread_by_correlation = 45;    // and the more times the further the correlation of neighbors is
   double correlation_of_located_noise = -0.22;  // above that of noise.
   // Noise that is no more than so many times the strongest is none, and no place has more than so many times that;
   std::array<double, 2> limits_of_located_ratios = {{ 0.02, 1.5 }};

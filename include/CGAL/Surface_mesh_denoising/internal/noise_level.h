@@ -263,7 +263,7 @@ template <typename ConcurrencyTag>
 bool is_shape(const Vertex_neighbors& neighbors, std::vector<double> residuals, const std::vector<bool>& counts,
               const double level)
 {
-  const double largest_level = 0.15, largest_share_of_impulses = 0.005;
+  const double largest_level = 0.2, largest_share_of_impulses = 0.005;
   const double small_level = 0.045, least_uniformity_of_small = 0.68;
   // what white noise gives: the correlations are those of the residuals and of what they differ from the neighbors' means
   const double uniformity_of_noise = 0.85, correlation_of_noise = -0.195, correlation_of_differences = -0.28;
@@ -282,7 +282,8 @@ bool is_shape(const Vertex_neighbors& neighbors, std::vector<double> residuals, 
   evidence += 2 * (correlation_of_neighbors<ConcurrencyTag>(neighbors, residuals, quiet.are_there)
                    - correlation_of_differences);
   const double number = double(std::count(quiet.are_there.begin(), quiet.are_there.end(), true));
-  return evidence > 0.4 + 2 / std::sqrt(number); // the less there is to go by, the more chance explains
+  const double least_evidence = 0.4 + 10 * (std::max)(0., level - 0.15); // hardly any shape makes so large residuals
+  return evidence > least_evidence + 2 / std::sqrt(number); // the less there is to go by, the more chance explains
 }
 
 // For each vertex how far it stands out of the polynomial that is fitted to the two rings around it, without the vertex itself,
