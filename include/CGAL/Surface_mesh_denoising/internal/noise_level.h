@@ -400,15 +400,22 @@ std::vector<double> residuals_of_edges(const Indexed_triangle_mesh& mesh, const 
   return residuals;
 }
 
+struct Level_by_edges
+{
+  double level;
+  bool is_uniform; // as edges show: then what quadrics leave more of in some places is shape
+};
+
 // The `level` that the `residuals` of quadrics tell, unless edges of triangles show that it is much too high. On parts with few
 // triangles quadrics of two rings cross the edges of the shape nearly everywhere; most edges of triangles do not bend with the
 // shape, or hardly
 template <typename ConcurrencyTag>
-double level_by_edges(const Indexed_triangle_mesh& mesh, const double mean_edge_length, const Vertex_neighbors& neighbors,
-                      const std::vector<bool>& counts, const std::vector<double>& residuals, const double level)
+Level_by_edges level_by_edges(const Indexed_triangle_mesh& mesh, const double mean_edge_length,
+                              const Vertex_neighbors& neighbors, const std::vector<bool>& counts,
+                              const std::vector<double>& residuals, const double level)
 {
   const std::size_t least_number = 50;
-  const double lower_quartile_of_normal_distribution = 0.3186; // of the absolute values, in standard deviations
+  const std::array<double, 2> quartiles_of_normal_distribution = {{ 0.3186, 1.1503 }}; // of absolute values, see the median
   // with stronger noise triangles are turned, and the less do they tell
   const double largest_level = 0.15, least_ratio = 2;
   const double factor = 1.4; // they tell too little where heights are small beside the noise
@@ -416,20 +423,20 @@ double level_by_edges(const Indexed_triangle_mesh& mesh, const double mean_edge_
 
   const std::vector<double> edges = residuals_of_edges<ConcurrencyTag>(mesh, counts);
   if(edges.size() < least_number)
-    return level;
+    return { level, false };
   const std::vector<bool> all(edges.size(), true);
   const double median = median_of_absolutes(edges, all);
   const double edge_level = median / median_of_normal_distribution;
   if(!(edge_level < largest_level * mean_edge_length && least_ratio * edge_level < level))
-    return level;
+    return { level, false };
+  const double lower_level = quantile_of_absolutes(edges, all, 0.25) / quartiles_of_normal_distribution[0];
+  const double upper_level = quantile_of_absolutes(edges, all, 0.75) / quartiles_of_normal_distribution[1];
+  const bool is_uniform = lower_level > least_evenness * edge_level && edge_level > least_evenness * upper_level;
   // impulses spare most edges
-  const double lower_level = quantile_of_absolutes(edges, all, 0.25) / lower_quartile_of_normal_distribution;
-  if(!(lower_level > least_evenness * edge_level)
-     && share_of_impulses<ConcurrencyTag>(neighbors, residuals, counts,
-                                          (std::max)(median, least_part_of_level * median_of_normal_distribution * level))
-        > largest_share_of_impulses)
-    return level;
-  return factor * edge_level;
+  const double usual = (std::max)(median, least_part_of_level * median_of_normal_distribution * level);
+  if(!is_uniform && share_of_impulses<ConcurrencyTag>(neighbors, residuals, counts, usual) > largest_share_of_impulses)
+    return { level, false };
+  return { factor * edge_level, is_uniform };
 }
 
 // The level of white noise among what quadrics take for shape, or zero where there seems to be none. Cubics of two rings leave
@@ -624,14 +631,16 @@ Noise_estimate estimate_noise(Indexed_triangle_mesh& mesh, const double mean_edg
      || (number < sure_number_of_vertices && is_made_of_planes<ConcurrencyTag>(mesh, counts)))
     return { 0, false, 0 };
   std::vector<double> residuals = leave_one_out_residuals<6, ConcurrencyTag>(mesh, mesh.points(), neighbors);
-  const double level = level_by_edges<ConcurrencyTag>(mesh, mean_edge_length, neighbors, counts, residuals,
-                                                      noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, residuals));
+  const Level_by_edges by_edges
+    = level_by_edges<ConcurrencyTag>(mesh, mean_edge_length, neighbors, counts, residuals,
+                                     noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, residuals));
+  const double level = by_edges.level;
   const double relative_level = level / mean_edge_length;
   const bool is_strong = relative_level > strong_noise;
   Noise_estimate estimate = { level, false, 0 };
   if(!is_strong)
   {
-    if(locates_noise)
+    if(locates_noise && !by_edges.is_uniform)
       estimate.strong_level = level_of_strong_noise<ConcurrencyTag>(neighbors, counts, residuals, level);
     estimate.may_be_shape = level > 0
                          && is_shape<ConcurrencyTag>(neighbors, std::move(residuals), counts, relative_level);
