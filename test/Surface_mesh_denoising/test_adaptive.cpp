@@ -278,7 +278,7 @@ Mesh turned_part(const std::vector<std::array<double, 2> >& profile, const std::
     rings.emplace_back();
     for(std::size_t i=0; i<number_of_segments; ++i)
     {
-      const double angle = 2 * 3.14159265358979 * double(i) / double(number_of_segments);
+      const double angle = 2 * CGAL_PI * double(i) / double(number_of_segments);
       rings.back().push_back(i > 0 && p[0] == 0 ? rings.back()[0]
                                                 : mesh.add_vertex(Point(p[0] * std::cos(angle), p[0] * std::sin(angle), p[1])));
     }
@@ -335,7 +335,7 @@ TEST(Residuals_of_edges, Have_the_deviation_of_the_noise)
       Mesh mesh = with_noise(truth, noise);
       PMP::transform(rotation_and_shift(), mesh);
       const SMD::Indexed_triangle_mesh indexed = indexed_mesh(mesh);
-      std::vector<double> residuals = SMD::internal::residuals_of_edges<CGAL::Sequential_tag>(
+      const std::vector<double> residuals = SMD::internal::residuals_of_edges<CGAL::Sequential_tag>(
         indexed, std::vector<bool>(indexed.number_of_vertices(), true));
       EXPECT_EQ(residuals.size(), mesh.number_of_edges());
       const double median = SMD::internal::median_of_absolutes(residuals, std::vector<bool>(residuals.size(), true));

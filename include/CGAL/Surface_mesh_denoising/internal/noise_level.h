@@ -392,10 +392,11 @@ std::vector<double> residuals_of_edges(const Indexed_triangle_mesh& mesh, const 
       const Point_3& p = mesh.point(face[0]);
       const Vector_3 a = mesh.point(face[1]) - p, b = mesh.point(face[2]) - p, c = mesh.point(*it) - p;
       const Vector_3 normal = normalized_or_null(normals[face[0]] + normals[face[1]] + normals[face[2]] + normals[*it]);
-      const double ab = cross_product(a, b) * normal, bc = cross_product(b, c) * normal, ca = cross_product(c, a) * normal;
+      const Vector_3 area = mesh.area_vector(f);
+      const double ab = area * normal, bc = cross_product(b, c) * normal, ca = cross_product(c, a) * normal;
       const double squares = ab * ab + bc * bc + ca * ca + (ab + bc + ca) * (ab + bc + ca);
       if(squares > 0)
-        residuals.push_back(cross_product(a, b) * c / std::sqrt(squares));
+        residuals.push_back(area * c / std::sqrt(squares));
     }
   return residuals;
 }
