@@ -325,6 +325,34 @@ TEST(Estimate_noise_level, Knows_parts_of_few_long_triangles)
   }
 }
 
+// a sphere with twelve rings around it, each as wide as six triangles
+Mesh ringed_sphere()
+{
+  std::vector<std::array<double, 2> > profile(1, {{0, -1.03}});
+  const int number_of_rings = 70;
+  for(int k=1; k<number_of_rings; ++k)
+  {
+    const double t = CGAL_PI * k / number_of_rings, radius = 1 + 0.03 * std::cos(24 * t);
+    profile.push_back({{radius * std::sin(t), -radius * std::cos(t)}});
+  }
+  profile.push_back({{0, 1.03}});
+  return turned_part(profile, 72);
+}
+
+// Patches leave as much of the noise as quadrics, for these leave as much of the rings: but that is as strong everywhere, and white
+TEST(Estimate_noise_level, Knows_noise_among_detail)
+{
+  const Mesh sphere = ringed_sphere();
+  ASSERT_TRUE(CGAL::is_closed(sphere));
+  EXPECT_EQ(points_of(denoised(sphere)), points_of(sphere));
+  for(const double level : {0.03, 0.1})
+    for(const unsigned int seed : {1, 2})
+    {
+      const Mesh noisy = with_noise(sphere, level, seed);
+      EXPECT_LT(error(denoised(noisy), sphere), 0.5 * error(noisy, sphere)) << level;
+    }
+}
+
 TEST(Residuals_of_edges, Have_the_deviation_of_the_noise)
 {
   // regular or not, in whatever position

@@ -368,7 +368,7 @@ private:
     {
       return level_of_white_noise<ConcurrencyTag>(mesh, observed, m_mean_edge_length, neighbors, is_movable) > 0;
     };
-    if(round == 0 && ((m_may_be_free_of_noise && !are_of_noise_after_all(counts, neighbors, residuals))
+    if(round == 0 && ((m_may_be_free_of_noise && !are_of_noise_after_all(mesh, counts, neighbors, residuals))
                       || (m_parameters.refine_noise_level
                           && are_of_triangulation(mesh, counts, residuals, is_white))))
     {
@@ -444,24 +444,30 @@ private:
   static double deviation_of_differences() { return std::sqrt(1 + 1. / 6); }
 
   // Edges on coarse triangles hide weak noise from quadrics of two rings, which take all for shape, but not from patches: they
-  // fit the edges, and what they leave is less than it seemed, and nowhere shape. Detail they leave, too, or they follow it
-  bool are_of_noise_after_all(const std::vector<bool>& is_movable, const Vertex_neighbors& neighbors,
-                              std::vector<double> residuals) const
+  // fit the edges, and what they leave is less than it seemed, and nowhere shape. Detail they leave, too, or they follow it.
+  // What is as strong everywhere and has opposite signs at neighbors is noise even if it is as much as it seemed
+  bool are_of_noise_after_all(const Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable,
+                              const Vertex_neighbors& neighbors, std::vector<double> residuals) const
   {
+    const Adaptive_parameters& p = m_parameters;
     add_what_patches_follow(residuals);
     const double level = refined_level(is_movable, neighbors, residuals);
-    if(is_negligible(level) || !(level < m_parameters.level_of_hidden_noise * m_noise.level)
-       || median_of_absolutes(m_leverages, is_movable) > m_parameters.leverage_of_hidden_noise)
+    if(is_negligible(level))
       return false;
     const Quiet_places quiet = quiet_places<ConcurrencyTag>(neighbors, residuals, is_movable);
-    if(!(correlation_of_neighbors<ConcurrencyTag>(neighbors, residuals, quiet.are_there)
-         < m_parameters.correlation_of_hidden_noise))
+    const double correlation = correlation_of_neighbors<ConcurrencyTag>(neighbors, residuals, quiet.are_there);
+    if(level > p.least_plain_noise * m_mean_edge_length && level < p.level_of_plain_noise * m_noise.level
+       && level < p.height_of_plain_noise * mean_height_of_all_faces(mesh)
+       && correlation < p.correlation_of_plain_noise && quiet.uniformity > p.uniformity_of_plain_noise)
+      return true;
+    if(!(level < p.level_of_hidden_noise * m_noise.level)
+       || median_of_absolutes(m_leverages, is_movable) > p.leverage_of_hidden_noise
+       || !(correlation < p.correlation_of_hidden_noise))
       return false;
-    if(level < m_parameters.weak_hidden_noise * m_mean_edge_length)
-      return quiet.uniformity > m_parameters.uniformity_of_weak_hidden_noise
+    if(level < p.weak_hidden_noise * m_mean_edge_length)
+      return quiet.uniformity > p.uniformity_of_weak_hidden_noise
           && correlation_of_sizes<ConcurrencyTag>(neighbors, residuals, is_movable) < 0;
-    return !are_mostly_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable, quiet,
-                                                m_parameters.uniformity_of_hidden_noise);
+    return !are_mostly_of_shape<ConcurrencyTag>(neighbors, residuals, is_movable, quiet, p.uniformity_of_hidden_noise);
   }
 
   // What patches leave of noise has opposite signs at neighbors, the more the patches follow it; what they leave of the shape
@@ -504,6 +510,7 @@ private:
           return is_located;
         }
       }
+      m_residuals_are_shape = m_residuals_are_shape && share < 1; // else they are as those of noise, however they differ
     }
     const double level = std::sqrt(share) * refined_level(is_movable, neighbors, std::move(residuals));
     if(m_residuals_are_shape)

@@ -73,6 +73,12 @@ struct Adaptive_parameters
   double uniformity_of_hidden_noise = 0.7;      // and what they leave is no less uniform than this or does not lie together.
   double weak_hidden_noise = 0.006;             // Detail may be as weak as so many mean edge lengths: below,
   double uniformity_of_weak_hidden_noise = 0.75; // it has to be more uniform, and not lie together at all.
+  // They are noise, too, if their level is more than so many mean edge lengths,
+  double least_plain_noise = 0.02;
+  double level_of_plain_noise = 1.25;           // less than so many times that which seemed,
+  double height_of_plain_noise = 0.25;          // and than so many times the mean height of triangles,
+  double correlation_of_plain_noise = -0.05;    // neighbors in quiet places have less in common than this,
+  double uniformity_of_plain_noise = 0.75;      // and they are more uniform than this.
 
   // Residuals whose root mean square is less than so many times the median height of an arc of the shape over an edge are those
   // of the triangulation, and there is no noise.
