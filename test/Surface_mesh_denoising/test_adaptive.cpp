@@ -19,6 +19,7 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/transform.h>
 #include <CGAL/boost/graph/generators.h>
+#include <CGAL/subdivision_method_3.h>
 
 #if defined(__GNUC__) && !defined(__clang__)
 // g++ takes empty optional vectors there for uninitialized ones
@@ -1552,6 +1553,21 @@ TEST(Gentle_path, Gives_back_heights_in_the_end)
       largest = (std::max)(largest, std::abs(one[v][i]));
     }
   EXPECT_GT(largest, 1000 * rounding);
+}
+
+// No edge and no plane speaks for patches there, and the gentle path has better normals
+TEST(Gentle_path, Is_for_smooth_surfaces)
+{
+  Mesh sphere;
+  CGAL::make_icosahedron(sphere, Point(0, 0, 0), 1);
+  CGAL::Subdivision_method_3::Loop_subdivision(sphere, CGAL::parameters::number_of_iterations(3));
+  for(const Vertex v : sphere.vertices())
+  {
+    const Vector d = sphere.point(v) - CGAL::ORIGIN;
+    sphere.point(v) = CGAL::ORIGIN + d / std::sqrt(d * d);
+  }
+  for(const unsigned int seed : {1, 2, 3})
+    EXPECT_LT(error(denoised(with_noise(sphere, 0.3, seed)), sphere), 1.1) << seed;
 }
 
 TEST(Gentle_path, The_relaxation_is_beside_the_last_steps)

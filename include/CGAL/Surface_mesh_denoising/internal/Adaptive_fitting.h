@@ -631,12 +631,18 @@ private:
       mix(mesh, observed, normals, neighbors, preference, estimate);
     };
     const Preference preference = { m_parameters.mesh_penalty, 0 };
+    // where all is smooth and noise is strong, nothing speaks for patches beforehand
+    const double smoothness = smoothness_of_patches(mesh) * ramp(relative_noise(), m_parameters.noise_of_smooth_surfaces[0],
+                                                                 m_parameters.noise_of_smooth_surfaces[1]);
+    const Preference gentle_preference
+      = { m_parameters.mesh_penalty + smoothness * (m_parameters.mesh_penalty_of_smooth_surfaces - m_parameters.mesh_penalty),
+          0 };
     if(m_parameters.use_gentle_path)
       mix_with_path([&]()
                     {
                       return Gentle_path<ConcurrencyTag>(mesh, observed, is_movable, neighbors, normals, disturbances,
                                                          m_normal_deviations, m_noise, m_mean_edge_length, m_parameters);
-                    }, m_parameters.gentle_global_band_ends, m_parameters.gentle_local_band_ends, preference);
+                    }, m_parameters.gentle_global_band_ends, m_parameters.gentle_local_band_ends, gentle_preference);
     if(m_parameters.use_linear_path)
       mix_with_path([&]()
                     {
@@ -652,6 +658,27 @@ private:
                     }, m_parameters.quadric_global_band_ends, m_parameters.quadric_local_band_ends,
                     Preference{ m_parameters.mesh_penalty_of_quadric_path,
                                 m_parameters.advantage_over_quadric_path });
+  }
+
+  // One where patches see neither planes nor edges, zero where they see enough of either
+  double smoothness_of_patches(const Indexed_triangle_mesh& mesh) const
+  {
+    const Adaptive_parameters& p = m_parameters;
+    std::size_t number = 0, number_in_planes = 0, number_of_sharp = 0;
+    for(std::size_t f=0; f<mesh.number_of_faces(); ++f)
+      for(const Index g : mesh.neighbors(f))
+        if(g != Indexed_triangle_mesh::null_index() && g > f)
+        {
+          const double cosine = m_face_normals[f] * m_face_normals[g];
+          ++number;
+          number_in_planes += (cosine > p.cosine_in_planes);
+          number_of_sharp += (cosine < p.cosine_at_edges);
+        }
+    if(number == 0)
+      return 0;
+    const auto lack = [&](const std::size_t n, const std::array<double, 2>& shares)
+    { return 1 - ramp(double(n) / double(number), shares[0], shares[1]); };
+    return lack(number_in_planes, p.shares_in_planes) * lack(number_of_sharp, p.shares_of_sharp_edges);
   }
 
   // The lower the triangles around a vertex are, the further its error turns them. The mean is about one

@@ -225,6 +225,12 @@ struct Adaptive_parameters
   double least_height_of_importance = 0.3;      // Vertices count by the inverse heights of triangles, beside this times noise,
   std::array<double, 2> limits_of_importance = {{ 0.25, 4 }}; // within these limits around the mean
   double mesh_penalty = 8;                      // how far the weight of the whole mesh keeps to zero,
+  double mesh_penalty_of_smooth_surfaces = 1.5; // and that of the gentle path where patches see no more than such shares of the
+  std::array<double, 2> shares_in_planes = {{ 0.15, 0.25 }}; // edges in planes, where the two normals differ by less than 0.3
+  double cosine_in_planes = 0.999986;           // degrees,
+  std::array<double, 2> shares_of_sharp_edges = {{ 0.001, 0.003 }}; // or sharp ones, where they differ by more than 25 degrees,
+  double cosine_at_edges = 0.9063;
+  std::array<double, 2> noise_of_smooth_surfaces = {{ 0.15, 0.25 }}; // and the noise is no weaker than this;
   double mesh_penalty_of_quadric_path = 2;      // and that of the quadric path, which is good where it is made at all;
   double advantage_over_quadric_path = 0.03;    // but at the same distance from the surface patches have better angles
   // Patches follow the noise as if they had so many coefficients more than a plane,
