@@ -630,25 +630,20 @@ private:
       }
       mix(mesh, observed, normals, neighbors, preference, estimate);
     };
-    const Preference preference = { m_parameters.mesh_penalty, 0 };
-    // where all is smooth and noise is strong, nothing speaks for patches beforehand
-    const double smoothness = smoothness_of_patches(mesh) * ramp(relative_noise(), m_parameters.noise_of_smooth_surfaces[0],
-                                                                 m_parameters.noise_of_smooth_surfaces[1]);
-    const Preference gentle_preference
-      = { m_parameters.mesh_penalty + smoothness * (m_parameters.mesh_penalty_of_smooth_surfaces - m_parameters.mesh_penalty),
-          0 };
     if(m_parameters.use_gentle_path)
       mix_with_path([&]()
                     {
                       return Gentle_path<ConcurrencyTag>(mesh, observed, is_movable, neighbors, normals, disturbances,
                                                          m_normal_deviations, m_noise, m_mean_edge_length, m_parameters);
-                    }, m_parameters.gentle_global_band_ends, m_parameters.gentle_local_band_ends, gentle_preference);
+                    }, m_parameters.gentle_global_band_ends, m_parameters.gentle_local_band_ends,
+                    Preference{ mesh_penalty_of_gentle_path(mesh), 0 });
     if(m_parameters.use_linear_path)
       mix_with_path([&]()
                     {
                       return Linear_path<ConcurrencyTag>(mesh, observed, is_movable, neighbors, disturbances, m_noise,
                                                          m_parameters);
-                    }, m_parameters.linear_global_band_ends, m_parameters.linear_local_band_ends, preference);
+                    }, m_parameters.linear_global_band_ends, m_parameters.linear_local_band_ends,
+                    Preference{ m_parameters.mesh_penalty, 0 });
     if(m_parameters.use_quadric_path && !m_has_impulses
        && m_noise.level < m_parameters.quadric_largest_noise * mean_height_of_all_faces(mesh))
       mix_with_path([&]()
@@ -658,6 +653,17 @@ private:
                     }, m_parameters.quadric_global_band_ends, m_parameters.quadric_local_band_ends,
                     Preference{ m_parameters.mesh_penalty_of_quadric_path,
                                 m_parameters.advantage_over_quadric_path });
+  }
+
+  // Where all is smooth and noise is strong, hardly anything speaks for patches beforehand
+  double mesh_penalty_of_gentle_path(const Indexed_triangle_mesh& mesh) const
+  {
+    const Adaptive_parameters& p = m_parameters;
+    const double strength = ramp(relative_noise(), p.noise_of_smooth_surfaces[0], p.noise_of_smooth_surfaces[1]);
+    if(strength == 0)
+      return p.mesh_penalty;
+    return p.mesh_penalty
+         + strength * smoothness_of_patches(mesh) * (p.mesh_penalty_of_smooth_surfaces - p.mesh_penalty);
   }
 
   // One where patches see neither planes nor edges, zero where they see enough of either
