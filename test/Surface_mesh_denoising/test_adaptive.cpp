@@ -1057,6 +1057,39 @@ TEST(Tangential_noise, Goes)
     const Mesh other = with_noise(truth, 0.3);
     EXPECT_EQ(points_of(denoised(other)), points_of(denoised(other, params::remove_tangential_noise(false))));
   }
+  for(const Model_generator model : {models::sphere, models::cylinder, models::torus})
+    for(const double level : {0.1, 0.2})
+    {
+      const Mesh truth = regular_mesh(model, 1500), noisy = with_noise_in_all_directions(truth, level);
+      EXPECT_LT(error(denoised(noisy), truth),
+                0.8 * error(denoised(noisy, params::remove_tangential_noise(false)), truth));
+      const Mesh other = with_noise(truth, level);
+      EXPECT_EQ(points_of(denoised(other)), points_of(denoised(other, params::remove_tangential_noise(false))));
+    }
+}
+
+// weak noise turns none of even triangles
+TEST(Tangential_noise, Shows_in_ways_to_centers)
+{
+  for(const Model_generator model : {models::sphere, models::cylinder, models::torus})
+    for(const double level : {0.1, 0.2})
+    {
+      // the level is that along the normals
+      const auto are_of_noise = [](const Mesh& truth, const Mesh& noisy, const double level)
+      {
+        std::vector<SMD::Indexed_triangle_mesh::Vector_3> normals, ways;
+        SMD::internal::compute_vertex_normals<CGAL::Sequential_tag>(indexed_mesh(truth), normals);
+        const SMD::Indexed_triangle_mesh indexed = indexed_mesh(noisy);
+        const SMD::internal::Vertex_neighbors neighbors(indexed);
+        SMD::internal::compute_ways_to_centers<CGAL::Sequential_tag>(indexed, neighbors, normals, ways);
+        return SMD::internal::are_ways_of_noise<CGAL::Sequential_tag>(
+          ways, neighbors, SMD::internal::Noise_map(level * mean_edge_length(truth)), SMD::internal::Adaptive_parameters());
+      };
+      const Mesh even = regular_mesh(model, 1500), uneven = irregular_mesh(model, 1500);
+      EXPECT_TRUE(are_of_noise(even, with_noise_in_all_directions(even, level), level / std::sqrt(3.)));
+      EXPECT_FALSE(are_of_noise(even, with_noise(even, level), level));
+      EXPECT_FALSE(are_of_noise(uneven, with_noise(uneven, level), level));
+    }
 }
 
 // `noise` is in mean edge lengths

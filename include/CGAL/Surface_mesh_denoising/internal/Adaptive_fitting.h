@@ -327,7 +327,15 @@ private:
     const Tangential_noise_ratio ratio = tangential_noise_ratio<ConcurrencyTag>(mesh, observed, m_noise, m_parameters);
     m_noise_turns_faces = m_noise_turns_faces || ratio.value > m_parameters.turning_ratio;
     m_bound_of_tangential_noise = (std::max)(m_bound_of_tangential_noise, ratio.upper_bound);
-    const double certainty = ramp(ratio.value, m_parameters.least_tangential_ratio, m_parameters.sure_tangential_ratio);
+    double certainty = ramp(ratio.value, m_parameters.least_tangential_ratio, m_parameters.sure_tangential_ratio);
+    if(certainty < 1 && ratio.expected_share < m_parameters.least_told_share)
+    {
+      std::vector<Vector_3> normals, ways;
+      compute_vertex_normals<ConcurrencyTag>(mesh, normals);
+      compute_ways_to_centers<ConcurrencyTag>(mesh, neighbors, normals, ways);
+      if(are_ways_of_noise<ConcurrencyTag>(ways, neighbors, m_noise, m_parameters))
+        certainty = 1;
+    }
     if(certainty == 0)
       return;
     m_vertices_slide = true;

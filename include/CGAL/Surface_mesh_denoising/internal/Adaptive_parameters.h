@@ -144,6 +144,10 @@ struct Adaptive_parameters
   double turning_ratio = 0.1;                   // above this, noise may have turned any face,
   double least_tangential_ratio = 0.25;         // and vertices slide, the further,
   double sure_tangential_ratio = 0.4;           // up to this, the larger it is
+  double least_told_share = 0.02;               // Where fewer faces are to turn, the ways to the centers of neighbors tell, too:
+  std::array<double, 2> medians_of_noisy_ways = {{ 0.4, 0.95 }}; // the median of their squares is that of noise,
+  std::array<double, 2> quartiles_of_noisy_ways = {{ 0.27, 2.2 }}; // and the quartiles differ from it by more than this;
+  double mean_cosine_of_noisy_ways = 0.05;      // between those of neighbors
   std::size_t sliding_number_of_steps = 3;
   double sliding_share = 0.5;                   // of the way to the center of the neighbors
   double sliding_range = 0.35;                  // of the deviation of normals around a vertex

@@ -36,7 +36,8 @@ namespace internal {
 struct Tangential_noise_ratio
 {
   double value = 0;
-  double upper_bound = 0; // it may be as large as this: a few turned faces, out of thousands, tell nothing
+  double upper_bound = 0;    // it may be as large as this: a few turned faces, out of thousands, tell nothing
+  double expected_share = 0; // of the faces: where it is small, the ratio hardly tells
 };
 
 // How many faces the observed points turn over, as seen from outside the smoother surface `mesh`, beside how many they
@@ -79,7 +80,7 @@ Tangential_noise_ratio tangential_noise_ratio(const Indexed_triangle_mesh& mesh,
   const double turned = total([](const Counts& c) { return c.is_turned; });
   const double untold = parameters.least_share_of_turned_faces * whole;
   const double expected = total([](const Counts& c) { return c.expected; }) + untold;
-  return Tangential_noise_ratio{ turned / expected, (turned + untold) / expected };
+  return Tangential_noise_ratio{ turned / expected, (turned + untold) / expected, expected / whole };
 }
 
 // From each vertex inside to the center of its neighbors, along the surface
@@ -99,6 +100,58 @@ void compute_ways_to_centers(const Indexed_triangle_mesh& mesh, const Vertex_nei
   });
 }
 
+// The square of such a way if nothing but noise in all directions made it
+inline double expected_square_of_way(const Vertex_neighbors& neighbors, const Noise_map& noise, const std::size_t v)
+{
+  return 2 * noise.at(v) * noise.at(v) * (1 + 1 / double(neighbors(v).size()));
+}
+
+// Whether noise along the surface made these ways: then their squares are as large as expected, spread as those of a normal
+// distribution, and ways do not point the way of those of their neighbors. Those of uneven triangles are larger or, as the shape's
+// fineness changes from place to place, go along with each other; of even triangles noise along the normals leaves but small ones
+template <typename ConcurrencyTag>
+bool are_ways_of_noise(const std::vector<Indexed_triangle_mesh::Vector_3>& ways, const Vertex_neighbors& neighbors,
+                       const Noise_map& noise, const Adaptive_parameters& parameters)
+{
+  std::vector<double> ratios;
+  for(std::size_t v=0; v<ways.size(); ++v)
+    if(neighbors.is_inside(v))
+      ratios.push_back(ways[v].squared_length() / expected_square_of_way(neighbors, noise, v));
+  const auto quantile = [&](const double share)
+  {
+    const auto it = ratios.begin() + std::ptrdiff_t(share * double(ratios.size()));
+    std::nth_element(ratios.begin(), it, ratios.end());
+    return *it;
+  };
+  if(ratios.empty())
+    return false;
+  const double median = quantile(0.5);
+  if(!(parameters.medians_of_noisy_ways[0] < median && median < parameters.medians_of_noisy_ways[1]
+       && quantile(0.25) > parameters.quartiles_of_noisy_ways[0] * median
+       && quantile(0.75) > parameters.quartiles_of_noisy_ways[1] * median))
+    return false;
+
+  typedef std::array<double, 2> Sum; // of cosines, and how many
+  std::vector<Sum> sums(ways.size(), Sum{{ 0, 0 }});
+  for_each_index<ConcurrencyTag>(ways.size(), [&](const std::size_t v)
+  {
+    if(!neighbors.is_inside(v))
+      return;
+    for(const auto w : neighbors(v))
+    {
+      const double squares = ways[v].squared_length() * ways[w].squared_length(); // none at borders
+      if(squares > 0)
+      {
+        sums[v][0] += ways[v] * ways[w] / std::sqrt(squares);
+        ++sums[v][1];
+      }
+    }
+  });
+  const auto total = [&](const int i)
+  { return sum<ConcurrencyTag>(sums.size(), [&](const std::size_t v) { return sums[v][i]; }); };
+  return total(0) < parameters.mean_cosine_of_noisy_ways * total(1);
+}
+
 // What of these ways is noise, which is as strong along the surface as across it: the rest is how uneven the triangles of the
 // surface itself are. For each vertex the share of the squares, in the mean around it (Wiener's filter)
 template <typename ConcurrencyTag>
@@ -112,7 +165,7 @@ std::vector<double> noise_shares_of_ways(const std::vector<Indexed_triangle_mesh
     moments[v].products[0] = moments[v].squares[0] = 0;
     if(!neighbors.is_inside(v))
       return;
-    moments[v].products[0] = float(2 * noise.at(v) * noise.at(v) * (1 + 1 / double(neighbors(v).size())));
+    moments[v].products[0] = float(expected_square_of_way(neighbors, noise, v));
     moments[v].squares[0] = float(ways[v].squared_length());
   });
   average_over_neighbors<ConcurrencyTag>(neighbors, parameters.sliding_number_of_averages, moments);
