@@ -127,9 +127,10 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *   took away was shape, and which result is closer to the true surface in each part of the mesh. They are mixed accordingly.
 * - Faces at edges are <em>reassigned</em>: they take over the plane on the other side where that explains the given points better.
 *   Noise that turns no faces over is along the normals, which tells the sides better.
-* - <em>Tangential noise</em> turns faces over or, where it is weak, makes even triangles uneven at random, by which it is told from noise along the
-*   normals. Where it does, vertices slide, before patches are fitted, to where triangles are even; and faces that face against the
-*   faces around them are <em>unfolded</em> in the end. The few that a mesh has turned by itself stay.
+* - <em>Tangential noise</em> turns faces over or, where it is weak, moves vertices of even triangles off the centers of their neighbors at
+*   random, by which it is told from noise along the normals. Where it does, vertices slide, before patches are fitted, to where
+*   triangles are even; and faces that face against the faces around them are <em>unfolded</em> in the end. The few that a mesh has
+*   turned by itself stay.
 * - <em>Impulses</em> are told by tails of the distances between the given points and the patches that are too heavy for the most of
 *   them. They are cut off, and pilot and patches made anew. That happens, too, where the <em>noise level</em> that these distances
 *   tell is much lower than the first estimate, which takes edges and small detail for noise. While most of them are detail, since
@@ -226,8 +227,8 @@ Denoising_result denoise_by_adaptive_fitting(const Range& range, TriangleMesh& t
 *                     up to a fifth longer.}
 *   \cgalParamNEnd
 *   \cgalParamNBegin{remove_tangential_noise}
-*     \cgalParamDescription{Adaptive method: whether vertices slide along the surface to where triangles are even, if turned faces, or even
-*                           triangles made uneven at random, show that there is noise along the surface, too.}
+*     \cgalParamDescription{Adaptive method: whether vertices slide along the surface to where triangles are even, if turned faces, or triangles
+*                           that are even but for random ways of their vertices, show that there is noise along the surface, too.}
 *     \cgalParamType{Boolean}
 *     \cgalParamDefault{`true`}
 *   \cgalParamNEnd
