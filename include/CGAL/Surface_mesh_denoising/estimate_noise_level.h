@@ -26,7 +26,8 @@ namespace Surface_mesh_denoising {
 *
 * A quadratic surface is fitted to the vertices up to two edges away from each vertex, without the vertex itself. How far vertices
 * stand out from these surfaces is noise where the shape is smooth. Medians keep edges and corners out, and differences between
-* neighbors what is left of the shape.
+* neighbors what is left of the shape. Strong noise is measured above a smoothed mesh, which follows a few percent of it: these are
+* added.
 *
 * Where triangles are few and long, as in many CAD models, these surfaces cross edges of the shape nearly everywhere. Most edges
 * between two triangles do not: in the median, how far their four vertices are from one plane bounds the noise. This counts where it

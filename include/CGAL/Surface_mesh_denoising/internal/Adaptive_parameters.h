@@ -128,7 +128,7 @@ struct Adaptive_parameters
   // The pilot. The normal of a face is off by about twice the noise: the range of the filter starts above that and shrinks to
   // what noise leaves in the end, so that first the noise goes and then the edges come out, obtuse ones last.
   std::size_t pilot_number_of_steps = 10;       // and more where
-  double pilot_strong_noise = 0.47;             // noise is more than this,
+  double pilot_strong_noise = 0.43;             // noise is more than this,
   double pilot_steps_by_strong_noise = 200;     // so many for each edge length more
   std::size_t pilot_steps_between_weights = 3;  // areas and distances become weights once in so many steps
   std::size_t pilot_number_of_moves = 3;

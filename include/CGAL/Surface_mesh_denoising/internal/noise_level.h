@@ -626,6 +626,8 @@ Noise_estimate estimate_noise(Indexed_triangle_mesh& mesh, const double mean_edg
   const std::ptrdiff_t sure_number_of_vertices = 300;
   const double strong_noise = 0.2; // mean edge lengths
   const std::size_t number_of_averages = 8;
+  // what that takes of estimates which would be 2 % too low at 0.5 mean edge lengths and 7 % at 0.8
+  const double followed_noise = 0.16, least_followed_noise = 0.29;
 
   const std::ptrdiff_t number = std::count(counts.begin(), counts.end(), true);
   if(number < least_number_of_vertices
@@ -675,7 +677,11 @@ Noise_estimate estimate_noise(Indexed_triangle_mesh& mesh, const double mean_edg
   residuals = leave_one_out_residuals<6, ConcurrencyTag>(mesh, observed, neighbors);
   mesh.swap_points(observed);
   if(is_strong)
+  {
     estimate.level = noise_level_of_residuals<ConcurrencyTag>(neighbors, counts, residuals);
+    // it follows some of the noise, though, the more, the stronger that is
+    estimate.level *= 1 + followed_noise * (std::max)(0., estimate.level / mean_edge_length - least_followed_noise);
+  }
   if(locates_noise)
     estimate.strong_level = level_of_strong_noise<ConcurrencyTag>(neighbors, counts, residuals, estimate.level);
   return estimate;
