@@ -626,7 +626,7 @@ Noise_estimate estimate_noise(Indexed_triangle_mesh& mesh, const double mean_edg
   const std::ptrdiff_t sure_number_of_vertices = 300;
   const double strong_noise = 0.2; // mean edge lengths
   const std::size_t number_of_averages = 8;
-  // what that takes of estimates which would be 2 % too low at 0.5 mean edge lengths and 7 % at 0.8
+  // what that takes of the level, which else is 2 % too low at 0.5 mean edge lengths and 7 % at 0.8
   const double followed_noise = 0.16, least_followed_noise = 0.29;
 
   const std::ptrdiff_t number = std::count(counts.begin(), counts.end(), true);
