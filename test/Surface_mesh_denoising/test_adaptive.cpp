@@ -1082,25 +1082,27 @@ TEST(Tangential_noise, Goes)
 // weak noise turns none of even triangles
 TEST(Tangential_noise, Shows_in_ways_to_centers)
 {
+  // the level is that along the normals
+  const auto are_of_noise = [](const Mesh& truth, const Mesh& noisy, const double level)
+  {
+    std::vector<SMD::Indexed_triangle_mesh::Vector_3> normals, ways;
+    SMD::internal::compute_vertex_normals<CGAL::Sequential_tag>(indexed_mesh(truth), normals);
+    const SMD::Indexed_triangle_mesh indexed = indexed_mesh(noisy);
+    const SMD::internal::Vertex_neighbors neighbors(indexed);
+    SMD::internal::compute_ways_to_centers<CGAL::Sequential_tag>(indexed, neighbors, normals, ways);
+    return SMD::internal::are_ways_of_noise<CGAL::Sequential_tag>(
+      ways, neighbors, SMD::internal::Noise_map(level * mean_edge_length(truth)), SMD::internal::Adaptive_parameters());
+  };
   for(const Model_generator model : {models::sphere, models::cylinder, models::torus})
+  {
+    const Mesh even = regular_mesh(model, 1500), uneven = irregular_mesh(model, 1500);
     for(const double level : {0.1, 0.2})
     {
-      // the level is that along the normals
-      const auto are_of_noise = [](const Mesh& truth, const Mesh& noisy, const double level)
-      {
-        std::vector<SMD::Indexed_triangle_mesh::Vector_3> normals, ways;
-        SMD::internal::compute_vertex_normals<CGAL::Sequential_tag>(indexed_mesh(truth), normals);
-        const SMD::Indexed_triangle_mesh indexed = indexed_mesh(noisy);
-        const SMD::internal::Vertex_neighbors neighbors(indexed);
-        SMD::internal::compute_ways_to_centers<CGAL::Sequential_tag>(indexed, neighbors, normals, ways);
-        return SMD::internal::are_ways_of_noise<CGAL::Sequential_tag>(
-          ways, neighbors, SMD::internal::Noise_map(level * mean_edge_length(truth)), SMD::internal::Adaptive_parameters());
-      };
-      const Mesh even = regular_mesh(model, 1500), uneven = irregular_mesh(model, 1500);
       EXPECT_TRUE(are_of_noise(even, with_noise_in_all_directions(even, level), level / std::sqrt(3.)));
       EXPECT_FALSE(are_of_noise(even, with_noise(even, level), level));
       EXPECT_FALSE(are_of_noise(uneven, with_noise(uneven, level), level));
     }
+  }
 }
 
 // `noise` is in mean edge lengths

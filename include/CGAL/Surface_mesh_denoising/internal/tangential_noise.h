@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_denoising/internal/Normal_evolution.h>
 #include <CGAL/Surface_mesh_denoising/internal/Vertex_neighbors.h>
 #include <CGAL/Surface_mesh_denoising/internal/mixing.h>
+#include <CGAL/Surface_mesh_denoising/internal/noise_level.h>
 #include <CGAL/Surface_mesh_denoising/internal/normals.h>
 #include <CGAL/Surface_mesh_denoising/internal/parallel.h>
 #include <CGAL/Surface_mesh_denoising/internal/surface_fit.h>
@@ -27,6 +28,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -113,43 +115,32 @@ template <typename ConcurrencyTag>
 bool are_ways_of_noise(const std::vector<Indexed_triangle_mesh::Vector_3>& ways, const Vertex_neighbors& neighbors,
                        const Noise_map& noise, const Adaptive_parameters& parameters)
 {
-  std::vector<double> ratios;
-  for(std::size_t v=0; v<ways.size(); ++v)
-    if(neighbors.is_inside(v))
-      ratios.push_back(ways[v].squared_length() / expected_square_of_way(neighbors, noise, v));
-  const auto quantile = [&](const double share)
+  std::vector<double> ratios(ways.size(), std::numeric_limits<double>::quiet_NaN()); // known inside only
+  for_each_index<ConcurrencyTag>(ratios.size(), [&](const std::size_t v)
   {
-    const auto it = ratios.begin() + std::ptrdiff_t(share * double(ratios.size()));
-    std::nth_element(ratios.begin(), it, ratios.end());
-    return *it;
-  };
-  if(ratios.empty())
-    return false;
-  const double median = quantile(0.5);
+    if(neighbors.is_inside(v))
+      ratios[v] = ways[v].squared_length() / expected_square_of_way(neighbors, noise, v);
+  });
+  const std::vector<bool> all(ratios.size(), true);
+  const double median = median_of_absolutes(ratios, all);
   if(!(parameters.medians_of_noisy_ways[0] < median && median < parameters.medians_of_noisy_ways[1]
-       && quantile(0.25) > parameters.quartiles_of_noisy_ways[0] * median
-       && quantile(0.75) > parameters.quartiles_of_noisy_ways[1] * median))
+       && quantile_of_absolutes(ratios, all, 0.25) > parameters.quartiles_of_noisy_ways[0] * median
+       && quantile_of_absolutes(ratios, all, 0.75) > parameters.quartiles_of_noisy_ways[1] * median))
     return false;
 
-  typedef std::array<double, 2> Sum; // of cosines, and how many
-  std::vector<Sum> sums(ways.size(), Sum{{ 0, 0 }});
-  for_each_index<ConcurrencyTag>(ways.size(), [&](const std::size_t v)
+  const auto cosines_above_limit = [&](const std::size_t v)
   {
-    if(!neighbors.is_inside(v))
-      return;
-    for(const auto w : neighbors(v))
-    {
-      const double squares = ways[v].squared_length() * ways[w].squared_length(); // none at borders
-      if(squares > 0)
+    double result = 0;
+    if(neighbors.is_inside(v))
+      for(const auto w : neighbors(v))
       {
-        sums[v][0] += ways[v] * ways[w] / std::sqrt(squares);
-        ++sums[v][1];
+        const double squares = ways[v].squared_length() * ways[w].squared_length(); // none at borders
+        if(squares > 0)
+          result += ways[v] * ways[w] / std::sqrt(squares) - parameters.mean_cosine_of_noisy_ways;
       }
-    }
-  });
-  const auto total = [&](const int i)
-  { return sum<ConcurrencyTag>(sums.size(), [&](const std::size_t v) { return sums[v][i]; }); };
-  return total(0) < parameters.mean_cosine_of_noisy_ways * total(1);
+    return result;
+  };
+  return sum<ConcurrencyTag>(ways.size(), cosines_above_limit) < 0;
 }
 
 // What of these ways is noise, which is as strong along the surface as across it: the rest is how uneven the triangles of the
