@@ -39,20 +39,11 @@ public:
     }
   }
 
-  void reserve(const std::size_t n)
-  {
-    std::size_t table_size = 16;
-    while(table_size < 2*n)
-      table_size *= 2;
-    if(table_size > m_table.size())
-      rehash(table_size);
-  }
-
   // the index of the element, and whether it is new
   std::pair<Local_index, bool> insert(const Element& element)
   {
     if(2 * (m_size + 1) > m_table.size())
-      reserve(2 * (m_size + 1));
+      rehash(m_table.empty() ? 16 : 2 * m_table.size());
 
     Entry& entry = find(element);
     const bool is_new = (entry.generation != m_generation);

@@ -19,6 +19,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -116,7 +117,11 @@ public:
     double distance;
   };
 
-  explicit Neighborhood_search(const DualGraph& dual) : m_dual(dual) {}
+  // the fewer faces there are in all, if they are counted, the less memory is filled for each search
+  explicit Neighborhood_search(const DualGraph& dual,
+                               const std::size_t number_of_faces = (std::numeric_limits<std::size_t>::max)())
+    : m_dual(dual), m_number_of_faces(number_of_faces)
+  {}
 
   // the `n` faces nearest to `seed` (fewer if there are no more), the nearest, `seed` itself, first
   const std::vector<Neighbor>& operator()(const Face seed, const std::size_t n)
@@ -221,12 +226,10 @@ private:
       return;
     m_size = n;
     // the seed has three neighbors, and each further face that is settled brings at most two new ones
-    const std::size_t max_number_of_nodes = 2*n + 2;
+    const std::size_t max_number_of_nodes = (std::min)(2*n + 2, m_number_of_faces);
     m_distances.resize(max_number_of_nodes);
-    m_out_edges.resize(3 * max_number_of_nodes);
     m_nodes.reserve(max_number_of_nodes);
     m_neighborhood.reserve(n);
-    m_numbering.reserve(max_number_of_nodes);
   }
 
   void settle(const Local_index u)
@@ -238,7 +241,7 @@ private:
   // the edges from `u` to the faces that are not settled yet: no path through the others is shorter
   typename View::Edge_range edges_from(const Local_index u)
   {
-    Edge* const first = m_out_edges.data() + 3*u;
+    Edge* const first = m_out_edges.data();
     Edge* last = first;
     const Node node = m_nodes[u];
     for(int i=0; i<3; ++i)
@@ -268,12 +271,13 @@ private:
   }
 
   const DualGraph& m_dual;
+  std::size_t m_number_of_faces;
   std::size_t m_size = 0;
   Vector_3 m_seed_normal;
   std::vector<Neighbor> m_neighborhood;
   std::vector<Node> m_nodes;
   std::vector<double> m_distances;
-  std::vector<Edge> m_out_edges;
+  std::array<Edge, 3> m_out_edges; // of one node: Boost is done with those before
   Local_numbering<Face> m_numbering;
 };
 

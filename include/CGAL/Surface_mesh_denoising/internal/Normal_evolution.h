@@ -37,7 +37,9 @@ Number to_the_64th(Number x)
 
 // (1 - x/64)^64 for 0 <= x < 64, and zero from there on: exp(-x), a little narrower, several times faster
 inline double bell(const double x) { return to_the_64th((std::max)(1 - x / 64, 0.)); }
-inline Number_pair bell(const Number_pair& x) { return to_the_64th(Number_pair((1 - (1. / 64) * x).max(0.))); }
+
+inline double positive_part(const double x) { return (std::max)(x, 0.); }
+inline Number_pair positive_part(const Number_pair& x) { return x.max(0.); }
 
 struct Evolution_step
 {
@@ -209,12 +211,14 @@ private:
         const auto faces = mesh.faces_around_face(f);
         const float* weight = m_weights.data() + (faces.begin() - first_entry);
         const Vector normal = normals[f];
-        const double factor = m_range_factors.empty() ? range_factor : range_factor * double(m_range_factors[f]);
+        // bell(factor |m - n|^2) is (1 - slope + slope m n)^64 or zero, as normals have the length one
+        const double slope = (m_range_factors.empty() ? range_factor : range_factor * double(m_range_factors[f])) / 32;
+        const Vector scaled_normal = slope * normal;
         Vector sum = (step.counts_own_normal ? double(m_own_weights[f]) : 0.) * normal;
         for(const Index g : faces)
         {
           const Vector& other = normals[g];
-          sum += (double(*weight++) * bell(factor * (normal - other).squared_length())) * other;
+          sum += (double(*weight++) * to_the_64th(positive_part(1 - slope + scaled_normal * other))) * other;
         }
         filtered[f] = normalized_or(sum, normal);
       });

@@ -264,7 +264,7 @@ private:
   {
   public:
     Worker(const Patch_blend& blend, const Indexed_dual_graph& dual)
-      : m_blend(blend), m_search(dual),
+      : m_blend(blend), m_search(dual, blend.m_mesh.number_of_faces()),
         m_fit(blend.m_parameters, blend.m_pilot_error, blend.m_effort, blend.m_extent)
     {}
 

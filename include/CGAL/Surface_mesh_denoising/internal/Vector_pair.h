@@ -54,14 +54,14 @@ inline Vector_pair operator-(const Vector_pair& v, const Vector_pair& w)
 inline Vector_pair operator*(const Number_pair& s, const Vector_pair& v)
 { return Vector_pair(s * v.x, s * v.y, s * v.z); }
 inline Vector_pair operator*(const double s, const Vector_pair& v) { return Vector_pair(s * v.x, s * v.y, s * v.z); }
-inline Vector_pair operator/(const Vector_pair& v, const double s) { return Vector_pair(v.x / s, v.y / s, v.z / s); }
+inline Vector_pair operator/(const Vector_pair& v, const double s) { return (1 / s) * v; }
 inline Number_pair operator*(const Vector_pair& v, const Vector_pair& w) { return v.x*w.x + v.y*w.y + v.z*w.z; }
 
 inline Vector_pair normalized_or(const Vector_pair& v, const Vector_pair& otherwise)
 {
-  const Number_pair length = v.squared_length().sqrt();
-  if((length > 0).all())
-    return Vector_pair(v.x / length, v.y / length, v.z / length);
+  const Number_pair squared_length = v.squared_length();
+  if(squared_length[0] > 0 && squared_length[1] > 0)
+    return squared_length.sqrt().inverse() * v;
   return Vector_pair(normalized_or(v.first(), otherwise.first()), normalized_or(v.second(), otherwise.second()));
 }
 

@@ -44,7 +44,7 @@ void turn_faces(Indexed_triangle_mesh& mesh, const std::vector<bool>& is_movable
   const auto corner_of = [&](const Index f, const std::size_t v)
   {
     const std::array<Index, 3>& t = mesh.vertices(f);
-    return std::size_t(std::find(t.begin(), t.end(), Index(v)) - t.begin());
+    return std::size_t(t[1] == v) + 2 * std::size_t(t[2] == v); // without branches
   };
   std::vector<std::array<Corner, 3> > corners(mesh.number_of_faces());
   std::vector<double> weights(mesh.number_of_vertices());
