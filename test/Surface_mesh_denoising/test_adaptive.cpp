@@ -1385,11 +1385,11 @@ struct Path_input
   }
 
   // the noise in mean edge lengths
-  Gentle_path gentle_path(const double noise)
+  Gentle_path gentle_path(const double noise, const bool has_last_steps = true)
   {
     noise_map.level = noise * mean_edge_length();
     return Gentle_path(mesh, observed, is_movable, neighbors, normals, disturbances, normal_deviations, noise_map,
-                       mean_edge_length(), parameters);
+                       mean_edge_length(), has_last_steps, parameters);
   }
 };
 
@@ -1619,10 +1619,10 @@ TEST(Gentle_path, Is_for_smooth_surfaces)
 TEST(Gentle_path, The_relaxation_is_beside_the_last_steps)
 {
   Path_input input(noisy_mesh(models::sphere, 1000, 0.2));
-  const auto points_at = [&](const std::size_t end, const std::size_t number_of_relaxations)
+  const auto points_at = [&](const std::size_t end, const std::size_t number_of_relaxations, const bool has_last_steps)
   {
     input.parameters.number_of_relaxations = number_of_relaxations;
-    auto path = input.gentle_path(0.2);
+    auto path = input.gentle_path(0.2, has_last_steps);
     path.go_to(end);
     std::vector<SMD::Indexed_triangle_mesh::Point_3> points;
     for(std::size_t v=0; v<input.observed.size(); ++v)
@@ -1631,8 +1631,10 @@ TEST(Gentle_path, The_relaxation_is_beside_the_last_steps)
   };
   const std::size_t relaxed = input.parameters.gentle_number_of_steps + 1,
                     last = input.parameters.gentle_local_band_ends.back();
-  EXPECT_NE(points_at(relaxed, 3), points_at(relaxed, 0));
-  EXPECT_EQ(points_at(last, 3), points_at(last, 0));
+  EXPECT_NE(points_at(relaxed, 3, true), points_at(relaxed, 0, true));
+  EXPECT_NE(points_at(relaxed, 3, true), points_at(last, 3, true));
+  EXPECT_EQ(points_at(last, 3, true), points_at(last, 0, true));
+  EXPECT_EQ(points_at(last, 3, false), points_at(relaxed, 3, false));
   EXPECT_EQ(input.mesh.points(), input.observed);
 }
 

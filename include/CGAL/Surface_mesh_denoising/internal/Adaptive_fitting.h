@@ -639,12 +639,18 @@ private:
       mix(mesh, observed, normals, neighbors, preference, estimate);
     };
     if(m_parameters.use_gentle_path)
+    {
+      const Shares_of_edges shares = shares_of_edges(mesh);
+      const bool has_last_steps = shares.in_planes < m_parameters.least_share_in_planes
+                               && shares.sharp < m_parameters.least_share_of_sharp_edges;
       mix_with_path([&]()
                     {
                       return Gentle_path<ConcurrencyTag>(mesh, observed, is_movable, neighbors, normals, disturbances,
-                                                         m_normal_deviations, m_noise, m_mean_edge_length, m_parameters);
+                                                         m_normal_deviations, m_noise, m_mean_edge_length, has_last_steps,
+                                                         m_parameters);
                     }, m_parameters.gentle_global_band_ends, m_parameters.gentle_local_band_ends,
-                    Preference{ mesh_penalty_of_gentle_path(mesh), 0 });
+                    Preference{ mesh_penalty_of_gentle_path(shares), 0 });
+    }
     if(m_parameters.use_linear_path)
       mix_with_path([&]()
                     {
@@ -663,21 +669,14 @@ private:
                                 m_parameters.advantage_over_quadric_path });
   }
 
-  // Where all is smooth and noise is strong, hardly anything speaks for patches beforehand
-  double mesh_penalty_of_gentle_path(const Indexed_triangle_mesh& mesh) const
+  // what patches see of planes and of edges: the shares of all edges
+  struct Shares_of_edges
   {
-    const Adaptive_parameters& p = m_parameters;
-    const double strength = ramp(relative_noise(), p.noise_of_smooth_surfaces[0], p.noise_of_smooth_surfaces[1]);
-    if(strength == 0)
-      return p.mesh_penalty;
-    return p.mesh_penalty
-         + strength * smoothness_of_patches(mesh) * (p.mesh_penalty_of_smooth_surfaces - p.mesh_penalty);
-  }
+    double in_planes, sharp;
+  };
 
-  // One where patches see neither planes nor edges, zero where they see enough of either
-  double smoothness_of_patches(const Indexed_triangle_mesh& mesh) const
+  Shares_of_edges shares_of_edges(const Indexed_triangle_mesh& mesh) const
   {
-    const Adaptive_parameters& p = m_parameters;
     std::size_t number = 0, number_in_planes = 0, number_of_sharp = 0;
     for(std::size_t f=0; f<mesh.number_of_faces(); ++f)
       for(const Index g : mesh.neighbors(f))
@@ -685,14 +684,23 @@ private:
         {
           const double cosine = m_face_normals[f] * m_face_normals[g];
           ++number;
-          number_in_planes += (cosine > p.cosine_in_planes);
-          number_of_sharp += (cosine < p.cosine_at_edges);
+          number_in_planes += (cosine > m_parameters.cosine_in_planes);
+          number_of_sharp += (cosine < m_parameters.cosine_at_edges);
         }
     if(number == 0)
-      return 0;
-    const auto lack = [&](const std::size_t n, const std::array<double, 2>& shares)
-    { return 1 - ramp(double(n) / double(number), shares[0], shares[1]); };
-    return lack(number_in_planes, p.shares_in_planes) * lack(number_of_sharp, p.shares_of_sharp_edges);
+      return { 1, 1 };
+    return { double(number_in_planes) / double(number), double(number_of_sharp) / double(number) };
+  }
+
+  // Where all is smooth and noise is strong, hardly anything speaks for patches beforehand
+  double mesh_penalty_of_gentle_path(const Shares_of_edges& shares) const
+  {
+    const Adaptive_parameters& p = m_parameters;
+    const auto lack = [](const double share, const std::array<double, 2>& limits)
+    { return 1 - ramp(share, limits[0], limits[1]); };
+    const double smoothness = lack(shares.in_planes, p.shares_in_planes) * lack(shares.sharp, p.shares_of_sharp_edges);
+    const double strength = ramp(relative_noise(), p.noise_of_smooth_surfaces[0], p.noise_of_smooth_surfaces[1]);
+    return p.mesh_penalty + strength * smoothness * (p.mesh_penalty_of_smooth_surfaces - p.mesh_penalty);
   }
 
   // The lower the triangles around a vertex are, the further its error turns them. The mean is about one

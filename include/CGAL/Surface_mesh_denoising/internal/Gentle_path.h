@@ -31,9 +31,9 @@ namespace internal {
 
 // A path that spares small detail (see Path_estimate.h): many gentle steps of bilateral normals and normal-driven moves,
 // each of which takes more of the noise and more of the shape away. After some of them comes a relaxation of what noise is
-// left between neighbors. The last steps start again from before it, and go as far as large smooth surfaces ask for. That takes
-// them to the inside where they bend: the heights of the observed points above them, smoothed, are given back. The path is
-// gone by the observed points and by disturbed ones.
+// left between neighbors. If there are large smooth surfaces, the last steps start again from before it, and go as far as
+// those ask for. That takes them to the inside where they bend: the heights of the observed points above them, smoothed, are
+// given back. The path is gone by the observed points and by disturbed ones.
 template <typename ConcurrencyTag>
 class Gentle_path
 {
@@ -47,10 +47,10 @@ public:
   Gentle_path(Indexed_triangle_mesh& mesh, const std::vector<Point_3>& observed, const std::vector<bool>& is_movable,
               const Vertex_neighbors& neighbors, const std::vector<Vector_3>& normals,
               const std::vector<double>& disturbances, const std::vector<Vector_3>& normal_deviations, const Noise_map& noise,
-              const double mean_edge_length, const Adaptive_parameters& parameters)
+              const double mean_edge_length, const bool has_last_steps, const Adaptive_parameters& parameters)
     : m_mesh(mesh), m_observed(observed), m_is_movable(is_movable), m_neighbors(neighbors), m_normals(normals),
       m_disturbances(disturbances), m_normal_deviations(normal_deviations), m_noise(noise),
-      m_relative_noise(noise.level / mean_edge_length), m_parameters(parameters), m_points_before(observed),
+      m_relative_noise(noise.level / mean_edge_length), m_has_last_steps(has_last_steps), m_parameters(parameters), m_points_before(observed),
       m_disturbed(observed.size())
   {
     for_each_index<ConcurrencyTag>(observed.size(), [&](const std::size_t v)
@@ -86,7 +86,7 @@ public:
       m_mesh.swap_points(m_disturbed);
       ++m_step;
     }
-    if(end <= m_step)
+    if(end <= m_step || !m_has_last_steps)
       return;
     if(m_step == relaxation + 1)
     {
@@ -178,6 +178,7 @@ private:
   const std::vector<Vector_3>& m_normal_deviations;
   const Noise_map& m_noise;
   double m_relative_noise;
+  bool m_has_last_steps;
   const Adaptive_parameters& m_parameters;
 
   std::vector<Point_3> m_points_before, m_disturbed;
