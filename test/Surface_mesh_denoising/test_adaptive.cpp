@@ -1564,6 +1564,78 @@ TEST(Quadric_path, Keeps_the_radius_of_a_sphere)
   }
 }
 
+// Two iterations of the filter and one move by their formulas, all faces beside all faces
+TEST(Normal_evolution, Follows_its_formulas)
+{
+  typedef SMD::Indexed_triangle_mesh                        Indexed_mesh;
+  typedef Indexed_mesh::Point_3                             Point_3;
+  typedef Indexed_mesh::Vector_3                            Vector_3;
+  typedef SMD::internal::Normal_evolution<CGAL::Sequential_tag> Evolution;
+
+  const Indexed_mesh mesh = indexed_mesh(noisy_mesh(models::cut_sphere, 300, 0.2)),
+                     other = indexed_mesh(noisy_mesh(models::cut_sphere, 300, 0.3));
+  const std::size_t number_of_faces = mesh.number_of_faces(), number_of_vertices = mesh.number_of_vertices();
+  const std::vector<bool> is_movable(number_of_vertices, true);
+  const double range = 0.4;
+  const auto bell = [](const double x) { return std::pow((std::max)(0., 1 - x / 64), 64); };
+  const auto share_a_vertex = [&](const std::size_t f, const std::size_t g)
+  {
+    const auto &s = mesh.vertices(f), &t = mesh.vertices(g);
+    return std::find_first_of(s.begin(), s.end(), t.begin(), t.end()) != s.end();
+  };
+  // weights are those of `mesh`, the normals and points those of `start`
+  const auto evolved = [&](const Indexed_mesh& start, const bool counts_own_normal)
+  {
+    const double width = SMD::internal::Face_geometry(mesh, CGAL::Sequential_tag()).mean_centroid_distance();
+    std::vector<Vector_3> normals, filtered(number_of_faces);
+    std::vector<double> areas;
+    SMD::internal::compute_face_normals<CGAL::Sequential_tag>(start, normals, areas);
+    for(int k=0; k<2; ++k)
+    {
+      for(std::size_t f=0; f<number_of_faces; ++f)
+      {
+        Vector_3 sum(0, 0, 0);
+        for(std::size_t g=0; g<number_of_faces; ++g)
+          if(share_a_vertex(f, g) && (f != g || counts_own_normal))
+            sum += mesh.area(g)
+                 * bell(squared_distance(mesh.centroid(f), mesh.centroid(g)) / (2 * width * width))
+                 * bell((normals[f] - normals[g]).squared_length() / (2 * range * range)) * normals[g];
+        filtered[f] = sum / std::sqrt(sum.squared_length());
+      }
+      normals.swap(filtered);
+    }
+    std::vector<Point_3> points;
+    for(std::size_t v=0; v<number_of_vertices; ++v)
+    {
+      Vector_3 sum(0, 0, 0);
+      for(const auto f : mesh.faces_around_vertex(v))
+        sum += ((start.centroid(f) - start.point(v)) * normals[f]) * normals[f];
+      points.push_back(start.point(v) + sum / double(mesh.faces_around_vertex(v).size()));
+    }
+    return points;
+  };
+  const auto expect_equal = [&](const std::vector<Point_3>& points, const std::vector<Point_3>& expected)
+  {
+    const double unit = mesh.mean_edge_length<CGAL::Sequential_tag>();
+    ASSERT_EQ(points.size(), expected.size());
+    for(std::size_t v=0; v<points.size(); ++v)
+      EXPECT_LT(squared_distance(points[v], expected[v]), 1e-12 * unit * unit) << v; // weights are numbers of type float
+  };
+
+  Evolution evolve;
+  evolve.update_weights(mesh, SMD::internal::Noise_map());
+  Indexed_mesh single = mesh;
+  evolve(single, is_movable, SMD::internal::Evolution_step{ range, true, 2, 1 });
+  expect_equal(single.points(), evolved(mesh, true));
+
+  Indexed_mesh first = mesh;
+  std::vector<Point_3> second = other.points();
+  evolve(first, second, is_movable, std::vector<Vector_3>(number_of_faces, Vector_3(0, 0, 0)),
+         SMD::internal::Evolution_step{ range, false, 2, 1 });
+  expect_equal(first.points(), evolved(mesh, false));
+  expect_equal(second, evolved(other, false));
+}
+
 // With S one step of smoothing, what is not given back of heights h is h - S^k h, so that two steps leave (1 + S) times what one
 // leaves. Without any, points are as far along the normals as they were observed
 TEST(Gentle_path, Gives_back_heights_in_the_end)
