@@ -80,12 +80,13 @@ public:
     const Indexed_dual_graph dual(mesh, m_normals, parameters.normal_weight, dual_edges, ConcurrencyTag());
     compute_keys();
     std::vector<Index> seeds;
+    Worker worker(*this, dual);
     for(std::size_t round=0; round<parameters.number_of_rounds; ++round)
     {
       choose_seeds(round, seeds);
       if(seeds.empty())
         break;
-      add_patches(dual, seeds);
+      add_patches(dual, worker, seeds);
     }
     m_keys = std::vector<double>();
   }
@@ -453,12 +454,11 @@ private:
   }
 
   // Patches are computed in parallel, some at a time, and added up in the order of their seeds
-  void add_patches(const Indexed_dual_graph& dual, const std::vector<Index>& seeds)
+  void add_patches(const Indexed_dual_graph& dual, Worker& worker, const std::vector<Index>& seeds)
   {
     const std::size_t number_at_a_time = std::is_convertible<ConcurrencyTag, Parallel_tag>::value ? 512 : 1;
     const std::size_t grain_size = 16;
     std::vector<Patch> patches(number_at_a_time);
-    Worker worker(*this, dual);
     for(std::size_t first=0; first<seeds.size(); first+=number_at_a_time)
     {
       const std::size_t n = (std::min)(number_at_a_time, seeds.size() - first);
