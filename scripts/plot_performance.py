@@ -46,6 +46,15 @@ def plot(runs, path):
     figure.savefig(path, dpi=110)
 
 
+def rows_of_runs(runs, benchmark, meaning):
+    rows = []
+    for size, run in sorted((size, run) for (name, size), run in runs.items() if name == benchmark):
+        number = f'{size:,}'.replace(',', ' ')
+        rows.append([f'{meaning}, {number} vertices',
+                     f"{run['us/vertex']:.1f} microseconds a vertex, {run['ratio']:.2f} times ten iterations of `smooth_shape()`"])
+    return rows
+
+
 def table(runs):
     iteration = runs['iteration_beside_smooth_shape', None]
     rows = [['one iteration, 100 000 vertices', f"{iteration['us/vertex']:.1f} microseconds a vertex"],
@@ -58,15 +67,12 @@ def table(runs):
             ['memory beside the mesh, 1 million vertices', f"{runs['peak_memory', 1000000]['bytes/vertex']:.0f} bytes a vertex"]]
     if ('two_threads', None) in runs:
         rows.append(['two threads beside one', f"{runs['two_threads', None]['speedup']:.2f} times as fast"])
-    for (name, size), run in sorted(runs.items(), key=lambda item: item[0][1] or 0):
-        if name == 'default_run_beside_smooth_shape':
-            number = f'{size:,}'.replace(',', ' ')
-            rows.append([f'a run without parameters, {number} vertices',
-                         f"{run['us/vertex']:.1f} microseconds a vertex, {run['ratio']:.2f} times ten iterations of `smooth_shape()`"])
+    rows += rows_of_runs(runs, 'default_run_beside_smooth_shape', 'a run without parameters')
     rows.append(['its memory beside the mesh, 1 million vertices',
                  f"{runs['default_run_peak_memory', 1000000]['bytes/vertex']:.0f} bytes a vertex"])
     if ('default_run_two_threads', None) in runs:
         rows.append(['its two threads beside one', f"{runs['default_run_two_threads', None]['speedup']:.2f} times as fast"])
+    rows += rows_of_runs(runs, 'dear_run_beside_smooth_shape', 'a run on a sphere with noise of 0.8 in all directions')
     return rows
 
 
