@@ -641,8 +641,8 @@ private:
     if(m_parameters.use_gentle_path)
     {
       const Shares_of_edges shares = shares_of_edges(mesh);
-      const bool has_last_steps = shares.in_planes < m_parameters.least_share_in_planes
-                               && shares.sharp < m_parameters.least_share_of_sharp_edges;
+      const bool has_last_steps = shares.in_planes < m_parameters.gentle_largest_share_in_planes
+                               && shares.sharp < m_parameters.gentle_largest_share_of_sharp_edges;
       mix_with_path([&]()
                     {
                       return Gentle_path<ConcurrencyTag>(mesh, observed, is_movable, neighbors, normals, disturbances,

@@ -163,10 +163,10 @@ struct Adaptive_parameters
   double largest_normal_deviation = 0.2;        // of a face from the surface that it is part of
   double deviation_by_noise = 0.4;              // the way of a vertex by those, times noise leverage^(3/2) of patches
   std::size_t gentle_number_of_steps = 19;      // before one step of relaxation; those after it
-  double least_share_in_planes = 0.5;           // are left out where so many edges are in planes
-  double least_share_of_sharp_edges = 0.02;     // or so many sharp (see below). They
   std::size_t gentle_last_number_of_moves = 6;  // move the vertices so often,
   std::size_t gentle_number_of_height_steps = 80; // and heights are smoothed so often
+  double gentle_largest_share_in_planes = 0.5;  // unless so many edges are in planes
+  double gentle_largest_share_of_sharp_edges = 0.02; // or so many are sharp (see below): then they are left out
   std::size_t gentle_steps_between_weights = 6; // or less, where a band ends
   std::array<std::size_t, 3> gentle_global_band_ends = {{ 1, 2, 4 }};
   std::array<std::size_t, 6> gentle_local_band_ends = {{ 6, 9, 13, 19, 20, 28 }};

@@ -50,8 +50,8 @@ public:
               const double mean_edge_length, const bool has_last_steps, const Adaptive_parameters& parameters)
     : m_mesh(mesh), m_observed(observed), m_is_movable(is_movable), m_neighbors(neighbors), m_normals(normals),
       m_disturbances(disturbances), m_normal_deviations(normal_deviations), m_noise(noise),
-      m_relative_noise(noise.level / mean_edge_length), m_has_last_steps(has_last_steps), m_parameters(parameters), m_points_before(observed),
-      m_disturbed(observed.size())
+      m_relative_noise(noise.level / mean_edge_length), m_has_last_steps(has_last_steps), m_parameters(parameters),
+      m_points_before(observed), m_disturbed(observed.size())
   {
     for_each_index<ConcurrencyTag>(observed.size(), [&](const std::size_t v)
     { m_disturbed[v] = observed[v] + disturbances[v] * normals[v]; });
